@@ -142,6 +142,8 @@ class Function:
             return [*self.range_sizes(), "values"]
         if length.name == "height_count":  # as large as a bed that the caller knows
             return None
+        if array.name == "out_load" and has_components:  # force and moment, in any number of components
+            return [6]
         each = ["components"] if has_components else None
         places = next((other for other in self.lengths if other.given), None)
         if each and places:

@@ -414,6 +414,7 @@ export interface ChainOptions {
   wind?: Numbers;
   tolerance?: { tolerance?: number; mostIterations?: number };
   colliders?: number;
+  loads?: boolean;
   thickness?: number;
   position?: Numbers | number;
   velocity?: Numbers | number;
@@ -570,9 +571,7 @@ export class Chain extends Handle {
    * all
    * awake. What changes a strand wakes it, with whatever numbers: a write, an impulse, a teleport, an attachment, a
    * cut;
-   * what is set wakes all, but for the hook, the kernels and the tolerance. Who sleeps is part of the state, and the
-   * same
-   * whatever hook and kernels.
+   * what is set wakes all, but for the hook, the kernels and the tolerance. Who sleeps is part of the state.
    * Errors: "errorValue"; "errorMemory".
    */
   get sleep(): { speed: number; seconds: number };
@@ -602,8 +601,8 @@ export class Chain extends Handle {
   //    up to 2e-4 of its energy at 1e5 times its springs' length from there, a fifth at 1e6 times. Where a rest length
   //    is reduced, tension times what it falls by, with 1/2 along the mean of the spring's directions before and after
   //    the step, is work, and not counted as energy added.
-  // Ropes need "implicit" with lambda in [1/2, 1], and have no ring, matched end or stiffness damping:
-  // step says "errorUnsupported".
+  // Ropes need "implicit", lambda in [1/2, 1], no ring, matched end or stiffness damping, or step says
+  // "errorUnsupported".
   //
   // With bend a rope is a rod, or hair, straight at rest or, in a plane, curled: its bend energy at a node is
   // b_i / 2 |d r_i|^2. d r_i is the difference of the two spring vectors at the node, each divided by its rest length
@@ -645,8 +644,7 @@ export class Chain extends Handle {
   /**
    * Whether springs with a length push when shorter (1) or are slack (0, the default). Links that push are solved by
    * Newton's method alone, which may fail from a crumpled start, or where hardly any bend holds them at long steps: of
-   * the first 15 steps of 20 or 50 links laid at random one in 700. Such a step moves less than it should.
-   * Errors: "errorValue".
+   * the first 15 steps of 20 or 50 links laid at random one in 700, which moves too little. Errors: "errorValue".
    */
   get push(): boolean;
   set push(value: boolean);
@@ -677,17 +675,16 @@ export class Chain extends Handle {
    * on
    * each node in that step: a rope of fixed length has no tension that holds a driven end which would stretch it. To
    * tie
-   * a rope to a body of your own, give the last node the body's mass, in "mass"; or drive the end, and give the rope a
-   * finite stiffness.
+   * a rope to a body of your own, give the last node its mass, in "mass"; or drive an end of a rope of finite
+   * stiffness.
    * Where tensions are read, or a strength is set, take lambda = 1. With 1/2 < lambda < 1 they miss up to a third of
    * the
    * pull of hardly yielding springs where nodes swing; with 1/2 those can be twice the mean just after a jolt. With
    * lambda
-   * < 1 a load that is paid out by springs of infinite stiffness is let fall and caught by turns where dt^2 times
-   * gravity
-   * is less than 5 tolerance * length: of 10 kg on 4 m of rope at dt = 1/960 s they are 6 N and 190 N, 98 N in the
-   * mean; a
-   * smaller tolerance mends that.
+   * < 1 a load paid out by springs of infinite stiffness is let fall and caught by turns where dt^2 times gravity is
+   * less
+   * than 5 tolerance * length: of 10 kg on 4 m of rope at dt = 1/960 s they are 6 N and 190 N; a smaller tolerance
+   * helps.
    * Errors: "errorRange"; "errorUnsupported" of a chain that is no rope.
    */
   getReaction(strand: number, node: number): Float64Array;
@@ -729,9 +726,7 @@ export class Chain extends Handle {
 
   /**
    * What the last call of step did with ropes: the most iterations that a step of a strand took, and the largest
-   * error it ended with, as the tolerance counts it: Infinity where that is no number. 0 and 0 without ropes. Each
-   * output
-   * may be null.
+   * error it ended with, as the tolerance counts it, or Infinity. 0 and 0 without ropes.
    */
   get convergence(): { iterations: number; residual: number };
 
@@ -747,8 +742,7 @@ export class Chain extends Handle {
   // round a body of the radius R, this brakes it as friction of the coefficient v dt / R would. Friction is Coulomb's:
   // the coefficient times the force that presses a node on, times v / (v + 1e-4 m/s) at the speed v, to 1%; of the
   // force
-  // after 50 iterations where a step is hard. So what it holds creeps: under half of the largest force that it can hold
-  // by 1e-4 m/s.
+  // after 50 iterations where a step is hard. So what it holds creeps: under half of what it can hold by 1e-4 m/s.
   // Errors of all that set: "errorUnsupported" without a rest length; "errorRange" for an index that no collider
   // has, or a count that is not the number of components; "errorValue"; "errorMemory" where a bed or a callback
   // becomes something else.
@@ -819,6 +813,24 @@ export class Chain extends Handle {
    */
   getCollider(index: number): { shape: Shape; first: Float64Array; second: Float64Array; velocity: Float64Array; radius:
     number; friction: number };
+
+  /** Whether steps note what ropes do to colliders: 1, or 0, the default. Errors: "errorValue"; "errorMemory". */
+  get loads(): boolean;
+  set loads(value: boolean);
+
+  /**
+   * What the nodes of all strands did to a collider, pushes and friction, in the last step, in the mean over its time:
+   * 6
+   * numbers, the force along x, y and z [N] and its moment about the origin [N m]; about a point p it is less by p x
+   * force.
+   * Momentum of ropes changes by what all else gives, less this, but 0 is told of a strand whose step ended short of
+   * its
+   * tolerance. What a node forgets of the speed at which it came out of a collider is not given. A strand that sleeps
+   * bears
+   * as in its last step. 0 before a step. Part of the state. Errors: "errorRange" for index, or if count is not 6;
+   * "errorDisabled" unless loads has asked for it.
+   */
+  getColliderLoad(index: number): Float64Array;
 
   /** How thick ropes are, as a radius [m] in [0, 1e60], default 0: nodes stay this far outside of colliders. */
   get thickness(): number;
@@ -1140,6 +1152,7 @@ export interface MembraneOptions {
   air?: { along?: number; across?: number };
   wind?: Numbers;
   colliders?: number;
+  loads?: boolean;
   thickness?: number;
   position?: Numbers | number;
   velocity?: Numbers | number;
@@ -1578,6 +1591,23 @@ export class Membrane extends Handle {
   getCollider(index: number): { shape: Shape; first: Float64Array; second: Float64Array; velocity: Float64Array; radius:
     number; friction: number };
 
+  /**
+   * What cloth does to colliders, as getColliderLoad says: what the momentum of each node that meets one lacks,
+   * and of a part of the sheet that nothing holds that of all its nodes. So of free sheets the sum is right whatever
+   * the
+   * effort; of held ones as right as the step's velocities are.
+   */
+  get loads(): boolean;
+  set loads(value: boolean);
+
+  /**
+   * What cloth does to colliders, as getColliderLoad says: what the momentum of each node that meets one lacks,
+   * and of a part of the sheet that nothing holds that of all its nodes. So of free sheets the sum is right whatever
+   * the
+   * effort; of held ones as right as the step's velocities are.
+   */
+  getColliderLoad(index: number): Float64Array;
+
   /** How thick cloth is, as a distance [m] in [0, 1e60], default 0, that nodes keep from colliders. */
   get thickness(): number;
   set thickness(value: number);
@@ -1780,8 +1810,8 @@ export class Membrane extends Handle {
    * on
    * beyond its ends). normalOffset null: no normals. Bytes between are left alone; any offset and stride will do,
    * aligned or not, that keeps the vertices apart. Absent nodes get their vertex too, with a zero normal.
-   * Errors: "errorRange" if size is less than nodes * stride, or an offset and its 12 bytes reach past stride, or the
-   * two overlap.
+   * Errors: "errorRange" if size is less than nodes * stride, or an offset and its 12 bytes reach past stride, or both
+   * overlap.
    */
   writeVertices(buffer: ArrayBuffer | ArrayBufferView, stride: number, positionOffset: number, normalOffset: number |
     null): void;

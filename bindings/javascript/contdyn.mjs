@@ -547,6 +547,24 @@ export class Chain extends Handle {
     };
   }
 
+  get loads() {
+    check(wasm.cd_chain_get_loads(addressOf(this, Chain), result(0)));
+    return integer(0) !== 0;
+  }
+
+  set loads(loads) {
+    check(wasm.cd_chain_set_loads(addressOf(this, Chain), flag(loads, "loads")));
+  }
+
+  getColliderLoad(index) {
+    const address = addressOf(this, Chain);
+    begin();
+    const countOf = componentsOf(this);
+    const loadAt = take(Float64Array.BYTES_PER_ELEMENT * countOf);
+    check(wasm.cd_chain_get_collider_load(address, size(index, "index"), loadAt, countOf));
+    return got(loadAt, Float64Array, countOf);
+  }
+
   get thickness() {
     check(wasm.cd_chain_get_thickness(addressOf(this, Chain), result(0)));
     return real(0);
@@ -1158,6 +1176,24 @@ export class Membrane extends Handle {
       radius: real(1),
       friction: real(2),
     };
+  }
+
+  get loads() {
+    check(wasm.cd_membrane_get_loads(addressOf(this, Membrane), result(0)));
+    return integer(0) !== 0;
+  }
+
+  set loads(loads) {
+    check(wasm.cd_membrane_set_loads(addressOf(this, Membrane), flag(loads, "loads")));
+  }
+
+  getColliderLoad(index) {
+    const address = addressOf(this, Membrane);
+    begin();
+    const countOf = componentsOf(this);
+    const loadAt = take(Float64Array.BYTES_PER_ELEMENT * countOf);
+    check(wasm.cd_membrane_get_collider_load(address, size(index, "index"), loadAt, countOf));
+    return got(loadAt, Float64Array, countOf);
   }
 
   get thickness() {

@@ -61,8 +61,7 @@ CD_API cd_status cd_chain_get_method(const cd_chain* chain, cd_method* out_metho
 CD_API cd_status cd_chain_set_lambda(cd_chain* chain, double lambda);
 CD_API cd_status cd_chain_get_lambda(const cd_chain* chain, double* out_lambda);
 
-/* Spreads the strands of a step over the caller's threads. Null turns it off. Errors: CD_ERROR_NULL for a table
- * without run. */
+/* Spreads the strands of a step over the caller's threads. Null: none. Errors: CD_ERROR_NULL for a table without run. */
 CD_API cd_status cd_chain_set_parallel(cd_chain* chain, const cd_parallel* parallel);
 
 /* The instructions that steps are made of, from here on: for tests and measurements, as all give the same bits and a
@@ -131,12 +130,10 @@ CD_API cd_status cd_chain_get_ring(const cd_chain* chain, int32_t* out_ring);
  * stay in the air. speed 0, the default: nothing sleeps, and seconds means nothing and is 0.
  * A plane or capsule that moves wakes what it could touch in the next step; a bed that moves, or a callback, keeps all
  * awake. What changes a strand wakes it, with whatever numbers: a write, an impulse, a teleport, an attachment, a cut;
- * what is set wakes all, but for the hook, the kernels and the tolerance. Who sleeps is part of the state, and the same
- * whatever hook and kernels.
+ * what is set wakes all, but for the hook, the kernels and the tolerance. Who sleeps is part of the state.
  * Errors: CD_ERROR_VALUE; CD_ERROR_MEMORY. */
 CD_API cd_status cd_chain_set_sleep(cd_chain* chain, double speed, double seconds);
 CD_API cd_status cd_chain_get_sleep(const cd_chain* chain, double* out_speed, double* out_seconds);
-
 /* How many nodes are awake: those that the next step moves. */
 CD_API cd_status cd_chain_get_awake(const cd_chain* chain, size_t* out_nodes);
 
@@ -157,8 +154,8 @@ CD_API cd_status cd_chain_get_awake(const cd_chain* chain, size_t* out_nodes);
  *    up to 2e-4 of its energy at 1e5 times its springs' length from there, a fifth at 1e6 times. Where a rest length
  *    is reduced, tension times what it falls by, with 1/2 along the mean of the spring's directions before and after
  *    the step, is work, and not counted as energy added.
- * Ropes need CD_METHOD_IMPLICIT with lambda in [1/2, 1], and have no ring, matched end or stiffness damping:
- * cd_chain_step says CD_ERROR_UNSUPPORTED.
+ * Ropes need CD_METHOD_IMPLICIT, lambda in [1/2, 1], no ring, matched end or stiffness damping, or cd_chain_step says
+ * CD_ERROR_UNSUPPORTED.
  *
  * With bend a rope is a rod, or hair, straight at rest or, in a plane, curled: its bend energy at a node is
  * b_i / 2 |d r_i|^2. d r_i is the difference of the two spring vectors at the node, each divided by its rest length and
@@ -189,8 +186,7 @@ CD_API cd_status cd_chain_get_rest_angle(const cd_chain* chain, double* out_angl
 
 /* Whether springs with a length push when shorter (1) or are slack (0, the default). Links that push are solved by
  * Newton's method alone, which may fail from a crumpled start, or where hardly any bend holds them at long steps: of
- * the first 15 steps of 20 or 50 links laid at random one in 700. Such a step moves less than it should.
- * Errors: CD_ERROR_VALUE. */
+ * the first 15 steps of 20 or 50 links laid at random one in 700, which moves too little. Errors: CD_ERROR_VALUE. */
 CD_API cd_status cd_chain_set_push(cd_chain* chain, int32_t push);
 CD_API cd_status cd_chain_get_push(const cd_chain* chain, int32_t* out_push);
 
@@ -203,7 +199,6 @@ CD_API cd_status cd_chain_get_push(const cd_chain* chain, int32_t* out_push);
  * Errors: CD_ERROR_VALUE; CD_ERROR_MEMORY; CD_ERROR_UNSUPPORTED of a chain that is no rope. */
 CD_API cd_status cd_chain_set_strength(cd_chain* chain, double strength);
 CD_API cd_status cd_chain_get_strength(const cd_chain* chain, double* out_strength);
-
 /* How many springs broke in the last call of cd_chain_step that made steps: those whose CD_STIFFNESS became 0. */
 CD_API cd_status cd_chain_get_broken(const cd_chain* chain, size_t* out_springs);
 
@@ -212,13 +207,11 @@ CD_API cd_status cd_chain_get_broken(const cd_chain* chain, size_t* out_springs)
  * of a spring without length), and of the forces of the bend at the node and at the nodes beside it.
  * After a step that ended short of its tolerance tensions are a guess, 0 or at most the sum of the forces of springs on
  * each node in that step: a rope of fixed length has no tension that holds a driven end which would stretch it. To tie
- * a rope to a body of your own, give the last node the body's mass, in CD_MASS; or drive the end, and give the rope a
- * finite stiffness.
+ * a rope to a body of your own, give the last node its mass, in CD_MASS; or drive an end of a rope of finite stiffness.
  * Where tensions are read, or a strength is set, take lambda = 1. With 1/2 < lambda < 1 they miss up to a third of the
  * pull of hardly yielding springs where nodes swing; with 1/2 those can be twice the mean just after a jolt. With lambda
- * < 1 a load that is paid out by springs of infinite stiffness is let fall and caught by turns where dt^2 times gravity
- * is less than 5 tolerance * length: of 10 kg on 4 m of rope at dt = 1/960 s they are 6 N and 190 N, 98 N in the mean; a
- * smaller tolerance mends that.
+ * < 1 a load paid out by springs of infinite stiffness is let fall and caught by turns where dt^2 times gravity is less
+ * than 5 tolerance * length: of 10 kg on 4 m of rope at dt = 1/960 s they are 6 N and 190 N; a smaller tolerance helps.
  * Errors: CD_ERROR_RANGE; CD_ERROR_UNSUPPORTED of a chain that is no rope. */
 CD_API cd_status cd_chain_get_reaction(const cd_chain* chain, size_t strand, size_t node, double* out_force,
                                        size_t count);
@@ -246,10 +239,8 @@ CD_API cd_status cd_chain_get_wind(const cd_chain* chain, double* out_velocity, 
  * Newton's; where springs push, it limits Newton's. Errors: CD_ERROR_VALUE. */
 CD_API cd_status cd_chain_set_tolerance(cd_chain* chain, double tolerance, size_t most_iterations);
 CD_API cd_status cd_chain_get_tolerance(const cd_chain* chain, double* out_tolerance, size_t* out_most_iterations);
-
 /* What the last call of cd_chain_step did with ropes: the most iterations that a step of a strand took, and the largest
- * error it ended with, as the tolerance counts it: INFINITY where that is no number. 0 and 0 without ropes. Each output
- * may be null. */
+ * error it ended with, as the tolerance counts it, or INFINITY. 0 and 0 without ropes. Each output may be null. */
 CD_API cd_status cd_chain_get_convergence(const cd_chain* chain, size_t* out_iterations, double* out_residual);
 
 /* ---- what ropes touch -------------------------------------------------------------------------------------------- */
@@ -263,8 +254,7 @@ CD_API cd_status cd_chain_get_convergence(const cd_chain* chain, size_t* out_ite
  * them: CD_ERROR_TOLERANCE. A strand that touches something makes that step with lambda = 1; sliding at the speed v
  * round a body of the radius R, this brakes it as friction of the coefficient v dt / R would. Friction is Coulomb's:
  * the coefficient times the force that presses a node on, times v / (v + 1e-4 m/s) at the speed v, to 1%; of the force
- * after 50 iterations where a step is hard. So what it holds creeps: under half of the largest force that it can hold
- * by 1e-4 m/s.
+ * after 50 iterations where a step is hard. So what it holds creeps: under half of what it can hold by 1e-4 m/s.
  * Errors of all that set: CD_ERROR_UNSUPPORTED without a rest length; CD_ERROR_RANGE for an index that no collider
  * has, or a count that is not the number of components; CD_ERROR_VALUE; CD_ERROR_MEMORY where a bed or a callback
  * becomes something else. */
@@ -312,7 +302,6 @@ CD_API cd_status cd_chain_get_bed(const cd_chain* chain, size_t index, size_t* o
  * Errors: CD_ERROR_NULL too, for a table without a function; CD_ERROR_MEMORY. */
 CD_API cd_status cd_chain_set_callback(cd_chain* chain, size_t index, const cd_distance* distance, const double* origin,
                                        size_t count, double friction);
-
 /* Makes a collider CD_SHAPE_NONE, at rest: nothing touches it. */
 CD_API cd_status cd_chain_remove_collider(cd_chain* chain, size_t index);
 
@@ -329,6 +318,17 @@ CD_API cd_status cd_chain_set_collider_velocity(cd_chain* chain, size_t index, c
 CD_API cd_status cd_chain_get_collider(const cd_chain* chain, size_t index, cd_shape* out_shape, double* out_first,
                                        double* out_second, double* out_velocity, size_t count, double* out_radius,
                                        double* out_friction);
+
+/* Whether steps note what ropes do to colliders: 1, or 0, the default. Errors: CD_ERROR_VALUE; CD_ERROR_MEMORY. */
+CD_API cd_status cd_chain_set_loads(cd_chain* chain, int32_t loads);
+CD_API cd_status cd_chain_get_loads(const cd_chain* chain, int32_t* out_loads);
+/* What the nodes of all strands did to a collider, pushes and friction, in the last step, in the mean over its time: 6
+ * numbers, the force along x, y and z [N] and its moment about the origin [N m]; about a point p it is less by p x force.
+ * Momentum of ropes changes by what all else gives, less this, but 0 is told of a strand whose step ended short of its
+ * tolerance. What a node forgets of the speed at which it came out of a collider is not given. A strand that sleeps bears
+ * as in its last step. 0 before a step. Part of the state. Errors: CD_ERROR_RANGE for index, or if count is not 6;
+ * CD_ERROR_DISABLED unless cd_chain_set_loads has asked for it. */
+CD_API cd_status cd_chain_get_collider_load(const cd_chain* chain, size_t index, double* out_load, size_t count);
 
 /* How thick ropes are, as a radius [m] in [0, 1e60], default 0: nodes stay this far outside of colliders. */
 CD_API cd_status cd_chain_set_thickness(cd_chain* chain, double radius);

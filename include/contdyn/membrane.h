@@ -108,7 +108,6 @@ CD_API cd_status cd_membrane_get_solver_taken(const cd_membrane* membrane, cd_so
 CD_API cd_status cd_membrane_set_tolerance(cd_membrane* membrane, double tolerance, size_t most_iterations);
 CD_API cd_status cd_membrane_get_tolerance(const cd_membrane* membrane, double* out_tolerance,
                                            size_t* out_most_iterations);
-
 /* What the last call of cd_membrane_step did when it took CD_SOLVER_COUPLED: the most iterations that a solve needed,
  * and the largest residual it ended with, as a fraction of the one it started from: INFINITY where its square is. 0 and
  * 0 if there was no such solve. Soft motions beside stiff ones may be off by more. Each output may be null. */
@@ -242,7 +241,6 @@ CD_API cd_status cd_membrane_get_compression(const cd_membrane* membrane, double
  * volume, and air and pressure go through it. Errors: CD_ERROR_MEMORY too. */
 CD_API cd_status cd_membrane_set_breaking_strain(cd_membrane* membrane, double strain);
 CD_API cd_status cd_membrane_get_breaking_strain(const cd_membrane* membrane, double* out_strain);
-
 /* How many springs tore in the last call of cd_membrane_step that made steps: those whose stiffness became 0. Where
  * there are any, cd_membrane_write_indices may write other triangles than before. */
 CD_API cd_status cd_membrane_get_broken(const cd_membrane* membrane, size_t* out_springs);
@@ -305,6 +303,13 @@ CD_API cd_status cd_membrane_set_collider_velocity(cd_membrane* membrane, size_t
 CD_API cd_status cd_membrane_get_collider(const cd_membrane* membrane, size_t index, cd_shape* out_shape,
                                           double* out_first, double* out_second, double* out_velocity, size_t count,
                                           double* out_radius, double* out_friction);
+/* What cloth does to colliders, as cd_chain_get_collider_load says: what the momentum of each node that meets one lacks,
+ * and of a part of the sheet that nothing holds that of all its nodes. So of free sheets the sum is right whatever the
+ * effort; of held ones as right as the step's velocities are. */
+CD_API cd_status cd_membrane_set_loads(cd_membrane* membrane, int32_t loads);
+CD_API cd_status cd_membrane_get_loads(const cd_membrane* membrane, int32_t* out_loads);
+CD_API cd_status cd_membrane_get_collider_load(const cd_membrane* membrane, size_t index, double* out_load,
+                                               size_t count);
 /* How thick cloth is, as a distance [m] in [0, 1e60], default 0, that nodes keep from colliders. */
 CD_API cd_status cd_membrane_set_thickness(cd_membrane* membrane, double distance);
 CD_API cd_status cd_membrane_get_thickness(const cd_membrane* membrane, double* out_distance);
@@ -422,7 +427,6 @@ CD_API cd_status cd_membrane_get_factorizations(const cd_membrane* membrane, uin
  * -sum m g x of the free nodes. What of their sum lambda = 1/2 keeps is told above. */
 CD_API cd_status cd_membrane_get_energy(const cd_membrane* membrane, double* out_kinetic, double* out_elastic,
                                         double* out_gravity);
-
 /* Momentum of the free nodes [kg m/s], one number per component.
  * Errors: CD_ERROR_RANGE if count is not the number of components. */
 CD_API cd_status cd_membrane_get_momentum(const cd_membrane* membrane, double* out_momentum, size_t count);
@@ -444,10 +448,8 @@ CD_API cd_status cd_membrane_get_volume(const cd_membrane* membrane, double* out
  * CD_ERROR_VALUE. */
 CD_API cd_status cd_membrane_sample(const cd_membrane* membrane, const double* at, size_t n, cd_outside outside,
                                     double* out_positions, size_t out_count);
-
 /* Bytes the membrane holds from its allocator. */
 CD_API cd_status cd_membrane_get_memory(const cd_membrane* membrane, size_t* out_bytes);
-
 /* A 64-bit hash of everything cd_membrane_save would write. Equal on every machine, compiler and vector width. */
 CD_API cd_status cd_membrane_hash(const cd_membrane* membrane, uint64_t* out_hash);
 
@@ -460,11 +462,9 @@ CD_API cd_status cd_membrane_hash(const cd_membrane* membrane, uint64_t* out_has
  * x = u / nu, y = v / nv (a direction without a spring: 0; a ring: u / (nu + 1), and for the normals the sheet goes on
  * beyond its ends). normal_offset SIZE_MAX: no normals. Bytes between are left alone; any offset and stride will do,
  * aligned or not, that keeps the vertices apart. Absent nodes get their vertex too, with a zero normal.
- * Errors: CD_ERROR_RANGE if size is less than nodes * stride, or an offset and its 12 bytes reach past stride, or the
- * two overlap. */
+ * Errors: CD_ERROR_RANGE if size is less than nodes * stride, or an offset and its 12 bytes reach past stride, or both overlap. */
 CD_API cd_status cd_membrane_write_vertices(const cd_membrane* membrane, void* buffer, size_t size, size_t stride,
                                             size_t position_offset, size_t normal_offset);
-
 /* How many indices cd_membrane_write_indices writes now: 6 per cell of four nodes that are there, of cloth 0 if it is
  * torn open, 3 per cell of which three are there. Cells that close a ring are among them, but not of 1 component: they
  * would reach back across the unit square. */

@@ -131,7 +131,7 @@ cd_status cd_chain_set_rest_length(cd_chain* chain, double length) {
     wanted.length = length > 0;
     if (length == 0) wanted.spring_length = wanted.air = wanted.wind = wanted.spring_strength = false;
     if (length == 0) wanted.angle = wanted.node_angle = false;
-    if (length == 0) wanted.colliders = {};
+    if (length == 0) wanted.colliders = {}, wanted.loads = false;
     CD_CHECK(shared::change_features(__func__, c, wanted));
     if (length == 0) c.air = {}, c.rope.strength = INFINITY, c.rope.thickness = c.rope.angle = 0;
     c.rope.length = length > 0 ? length : 0; // not -0

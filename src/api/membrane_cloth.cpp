@@ -26,7 +26,7 @@ cd_status cd_membrane_set_rest_length(cd_membrane* membrane, double along_u, dou
     for (Direction d : {kU, kV})
         if (!cloth) wanted.spring_length[d] = wanted.breaking_strain[d] = false;
     if (!cloth) wanted.air = wanted.wind = false;
-    if (!cloth) wanted.colliders = {};
+    if (!cloth) wanted.colliders = {}, wanted.loads = false;
     CD_CHECK(shared::change_features(__func__, m, wanted));
     if (cloth && !has_lengths(m)) m.lambda = 1;
     if (!cloth) m.cloth = {};

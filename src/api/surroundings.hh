@@ -246,6 +246,25 @@ template <class X> cd_status get_collider(const char* function, const X& x, size
     return CD_OK;
 }
 
+// Whether what colliders bear is told.
+template <class X> cd_status set_loads(const char* function, X& x, int32_t loads) {
+    if (loads != 0 && loads != 1) return fail(CD_ERROR_VALUE, function, "loads is %d, must be 0 or 1", int(loads));
+    CD_CHECK(touches(function, x));
+    auto wanted = features(x);
+    wanted.loads = loads != 0;
+    return change_features(function, x, wanted);
+}
+
+template <class X>
+cd_status get_load(const char* function, const X& x, const char* setter, size_t index, double* out, size_t count) {
+    CD_CHECK(not_null(function, "out_load", out));
+    CD_CHECK(has_collider(function, x, index));
+    CD_CHECK(is_count(function, "count", count, kLoadNumbers));
+    if (!x.loads) return fail(CD_ERROR_DISABLED, function, "loads are not told: see %s", setter);
+    sum_loads(x, index, out);
+    return CD_OK;
+}
+
 } // namespace shared
 } // namespace cd
 
@@ -288,4 +307,8 @@ template <class X> cd_status get_collider(const char* function, const X& x, size
                 (size_t index, cd_shape * out_shape, double* out_first, double* out_second, double* out_velocity,      \
                  size_t count, double* out_radius, double* out_friction),                                              \
                 shared::get_collider(__func__, x, index, out_shape, out_first, out_second, out_velocity, count,        \
-                                     out_radius, out_friction))
+                                     out_radius, out_friction))                                                        \
+    CD_FUNCTION(object, , set_loads, (int32_t loads), shared::set_loads(__func__, x, loads))                           \
+    CD_GETTER(object, get_loads, int32_t, out_loads, bool(x.loads))                                                    \
+    CD_FUNCTION(object, const, get_collider_load, (size_t index, double* out_load, size_t count),                      \
+                shared::get_load(__func__, x, "cd_" #object "_set_loads", index, out_load, count))

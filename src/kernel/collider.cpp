@@ -72,6 +72,50 @@ __attribute__((cold)) void way_off_line(const double* way, size_t components, do
     for (size_t k = 0; k < components; ++k) out[k] = 1 / sqrt(left) * out[k];
 }
 
+__attribute__((cold)) void add_force(double* load, const double* force, const double* x) {
+    const double all[kLoadNumbers] = {force[0],
+                                      force[1],
+                                      force[2],
+                                      x[1] * force[2] - x[2] * force[1],
+                                      x[2] * force[0] - x[0] * force[2],
+                                      x[0] * force[1] - x[1] * force[0]};
+    for (size_t k = 0; k < kLoadNumbers; ++k)
+        if (isfinite(load[k] + all[k])) load[k] += all[k];
+}
+
+// What a node forgot of its velocity has not been given by what it came out of, nor what its strand then lost: that is
+// shared out by masses and how far inside they were. (Whatever touches steps with lambda = 1, so w is the velocity before.)
+__attribute__((cold)) void add_loads(const PushedStrand& of, const Obstacle* colliders, double* loads) {
+    double weights = 0, slowed[3] = {};
+    const auto each = [&](auto f) { // f(node, contact, push, collider, mass times how far inside it was)
+        for (size_t lane = 0; lane < of.of_strand; ++lane)
+            for (size_t i = 0; i < of.node_count; ++i)
+                for (size_t k = 0; k < of.collider_count; ++k) {
+                    const size_t node = lane + i * of.node_step, at = i * of.collider_count + k;
+                    const size_t contact = lane + at * of.contact_step;
+                    const double depth = of.before[contact] < 0 ? -of.before[contact] : 0;
+                    f(node, contact, lane + at * kPushNumbers * of.lanes, k, of.mass[node] * of.on[contact] * depth);
+                }
+    };
+    each([&](size_t node, size_t contact, size_t, size_t k, double weight) {
+        weights += weight;
+        const double mass = k == 0 && of.mobility[node] > 0 ? of.mass[node] : 0;
+        for (size_t c = 0; c < 3; ++c)
+            slowed[c] += mass * (of.w[node + c * of.lanes] - of.next[node + c * of.lanes]) -
+                         of.rate * weight * of.normal[contact + c * of.lanes];
+    });
+    each([&](size_t node, size_t contact, size_t push, size_t k, double weight) {
+        double force[3], x[3];
+        for (size_t c = 0; c < 3; ++c) {
+            const double less =
+                of.rate * weight * of.normal[contact + c * of.lanes] + (weight > 0 ? weight / weights * slowed[c] : 0);
+            force[c] = of.per_impulse * (less - of.push[push + c * of.lanes]);
+            x[c] = of.y[node + c * of.lanes];
+        }
+        add_force(loads + colliders[k].index * kLoadNumbers, force, x);
+    });
+}
+
 void ask(const Obstacle& of, double time, size_t count, size_t components, double* places, double* distances,
          double* normals, BadAnswer& bad) {
     const size_t numbers = count * components;

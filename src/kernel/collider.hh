@@ -20,6 +20,14 @@ struct Collider {
     double place(int k, double time) const { return point[k] + (time - since) * velocity[k]; }
 };
 
+// What is told of what a collider bears: force [N] and moment about the origin [N m].
+constexpr size_t kLoadNumbers = 6;
+// And what is kept of a push on a node while a rope is solved.
+constexpr size_t kPushNumbers = 6;
+
+// Adds a force at x to a load, where that stays finite.
+void add_force(double* load, const double* force, const double* x);
+
 // A collider that is not CD_SHAPE_NONE, as steps meet it: its radius has the thickness of what touches it.
 struct Obstacle : Collider {
     size_t index;                // among the colliders
@@ -57,5 +65,16 @@ struct BadAnswer {
 // those relative to the collider. Where the answer is bad nothing is near.
 void ask(const Obstacle& of, double time, size_t count, size_t components, double* places, double* distances,
          double* normals, BadAnswer& bad);
+
+// What a strand of a rope has after a step: of its first node, and of that one's first contact, in its first lane. Numbers
+// are `lanes` apart, those of a node node_step, of a contact contact_step, and of its push kPushNumbers times the lanes.
+struct PushedStrand {
+    const double *mass, *mobility, *w, *next, *y, *normal, *before, *on, *push;
+    size_t node_step, contact_step, lanes, of_strand; // of_strand: its lanes, side by side
+    size_t node_count, collider_count;
+    double per_impulse, rate; // 1 / h, or 0 where nothing is known, and 1 / dt [1/s]
+};
+// Adds what it did to each collider to its loads.
+void add_loads(const PushedStrand& of, const Obstacle* colliders, double* loads);
 
 } // namespace cd

@@ -112,12 +112,13 @@ template <int N> struct RopeBundle {
     const RopeStage& stage;
     Node* const nodes;
     Spring* const springs;
-    InAir* const in_air;         // if there is air
-    Contact* const contacts;     // of node after node, with each collider
-    Joint* const joints;         // of rods
-    V* const by_link;            // of rods: three of each node for the air, then three of each contact
-    Answer* const answers;       // of callback after callback, for each node
-    double* const question;      // room for places of nodes and what is told of them
+    InAir* const in_air;     // if there is air
+    Contact* const contacts; // of node after node, with each collider
+    Joint* const joints;     // of rods
+    V* const by_link;        // of rods: three of each node for the air, then three of each contact
+    Answer* const answers;   // of callback after callback, for each node
+    V* const pushes;         // of contact after contact: on its node by the guess, and by the last elimination; or null
+    double* const question;  // room for places of nodes and what is told of them
     const size_t* const strands; // of its lanes; those beyond the last are the last one again
     size_t count;                // of strands
     L lambda, per_lambda, open;  // open: 1 where a strand is still to be solved
@@ -257,6 +258,7 @@ template <int N> struct RopeBundle {
 
     bool has_contacts() const { return CD_WITH_CONTACT && stage.collider_count > 0; }
     bool has_callbacks() const { return CD_WITH_CONTACT && stage.callback_count > 0; }
+    bool tells_loads() const { return CD_WITH_CONTACT && pushes; }
     static V velocity_of(const Collider& c) {
         return {L::splat(c.velocity[0]), L::splat(c.velocity[1]), L::splat(c.velocity[2])};
     }
@@ -276,6 +278,8 @@ template <int N> struct RopeBundle {
     __attribute__((noinline)) void pressed(size_t i, Impulses& left);
     __attribute__((noinline)) V speed_out(size_t i);
     void forget_overlaps();
+    __attribute__((cold)) void take_pushes(L part) const;
+    __attribute__((cold)) void tell_loads() const;
 
     // ---- the start of a step ----------------------------------------------------------------------------------------
 

@@ -170,8 +170,10 @@ template <int N> Lanes<N> RopeBundle<N>::touch(size_t i, size_t iteration) {
     L error{};
     for (size_t k = 0; k < stage.collider_count; ++k) {
         const Obstacle& to = stage.colliders[k];
-        Contact& c = contacts[i * stage.collider_count + k];
+        const size_t at = i * stage.collider_count + k;
+        Contact& c = contacts[at];
         if (iteration == 0) {
+            if (pushes) pushes[2 * at] = select(open, V{}, pushes[2 * at]);
             if (!to.callback) look_at_gap(to, before, stage.time_before, c.acting, c.before);
             look_at_end(k, i, before, x, c);
             const L alone = nodes[i].ground * positive(leaving(i, c) - dot(c.normal, nodes[i].b));
@@ -244,13 +246,16 @@ template <int N> void RopeBundle<N>::pressed(size_t i, Impulses& left) {
     for (size_t k = stage.collider_count; k-- > 0;) {
         const size_t at = i * stage.collider_count + k;
         Contact& c = contacts[at];
-        if (!any_positive(c.on)) continue;
-        const V* const links = links_of_contact(at);
-        left.phi = left.phi + impulse_of(c.rubbed[1], links + 2, left) * cross(c.normal, c.side);
-        left.phi = left.phi + impulse_of(c.rubbed[0], links + 1, left) * c.side;
-        const L push = c.on * impulse_of(c.pressed, links, left);
-        c.push = select(open, push, c.push);
-        left.phi = left.phi + push * (c.acting - c.follows * c.side);
+        const V before = left.phi;
+        if (any_positive(c.on)) {
+            const V* const links = links_of_contact(at);
+            left.phi = left.phi + impulse_of(c.rubbed[1], links + 2, left) * cross(c.normal, c.side);
+            left.phi = left.phi + impulse_of(c.rubbed[0], links + 1, left) * c.side;
+            const L push = c.on * impulse_of(c.pressed, links, left);
+            c.push = select(open, push, c.push);
+            left.phi = left.phi + push * (c.acting - c.follows * c.side);
+        }
+        if (pushes) pushes[2 * at + 1] = left.phi - before;
     }
 }
 
@@ -300,6 +305,42 @@ template <int N> void RopeBundle<N>::forget_overlaps() {
     if (!any_positive(lost)) return;
     const L keeps = select(lost, root(positive(one() - lost)), one());
     for (size_t i = 0; i < node_count; ++i) nodes[i].next = keeps * nodes[i].next;
+}
+
+// Goes a part of the way from the pushes of the guess to those of the last elimination, as the nodes do.
+template <int N> void RopeBundle<N>::take_pushes(L part) const {
+    for (size_t at = 0; at < node_count * stage.collider_count; ++at) {
+        V& impulse = pushes[2 * at];
+        impulse = select(part, impulse + part * (pushes[2 * at + 1] - impulse), impulse);
+    }
+}
+
+// Tells what the nodes did to each collider, in the mean over the step. Of a step that was not solved nothing is known.
+template <int N> void RopeBundle<N>::tell_loads() const {
+    const size_t of_strand = halved ? 2 : 1;
+    double per_impulse[N];
+    select(open, L{}, L::splat(1 / stage.dt) * per_lambda).store(per_impulse);
+    for (size_t j = 0; j < count * of_strand; j += of_strand) {
+        const auto lane = [&](const auto& numbers) { return reinterpret_cast<const double*>(&numbers) + j; };
+        const PushedStrand strand{lane(nodes->mass),
+                                  lane(nodes->mobility),
+                                  lane(nodes->w),
+                                  lane(nodes->next),
+                                  lane(nodes->y),
+                                  lane(contacts->normal),
+                                  lane(contacts->before),
+                                  lane(contacts->on),
+                                  lane(*pushes),
+                                  sizeof(Node) / sizeof(double),
+                                  sizeof(Contact) / sizeof(double),
+                                  N,
+                                  of_strand,
+                                  node_count,
+                                  stage.collider_count,
+                                  per_impulse[j],
+                                  1 / stage.dt};
+        add_loads(strand, stage.colliders, ropes.loads + strands[j] * ropes.collider_count * kLoadNumbers);
+    }
 }
 
 } // namespace CD_ISA

@@ -133,6 +133,7 @@ template <int N> void RopeBundle<N>::newton(size_t most) {
         is_rod() ? eliminate_rod() : eliminate();
         if (k >= kMostNewton) begin_alone();
         iterations = iterations + open;
+        if (tells_loads()) take_pushes(open);
         for (size_t i = 0; i < node_count; ++i) {
             Node& n = nodes[i];
             const V next = n.next;
@@ -236,6 +237,7 @@ template <int N> auto RopeBundle<N>::step_inside(L barrier) -> L {
     }
     for (size_t i = 0; i < node_count; ++i)
         nodes[i].w = select(open, nodes[i].w + part * (nodes[i].next - nodes[i].w), nodes[i].w);
+    if (tells_loads()) take_pushes(part);
     return part;
 }
 
@@ -399,6 +401,7 @@ template <int N> RopeResult RopeBundle<N>::step() {
         if (any_positive(one() - follows)) take_velocities(), settle(follows);
     }
     if (has_contacts()) forget_overlaps();
+    if (tells_loads()) tell_loads();
     const L to_overflow = L::splat(ropes.position.range().to_overflow);
     const auto look_at = [&](L a) { bad = bad + 0.0 * (to_overflow * a); };
     for (size_t i = 0; i < node_count; ++i) {
@@ -448,13 +451,16 @@ template <int N> static RopeResult step_bundle(const Ropes& ropes, const RopePar
     auto* const answers = reinterpret_cast<typename Here::Answer*>(contacts + contact_count);
     static_assert(sizeof(typename Here::Joint) == kJointScratch * N * sizeof(double));
     auto* const joints = reinterpret_cast<typename Here::Joint*>(answers + room * stage.callback_count);
-    auto* const by_link = reinterpret_cast<typename Here::V*>(joints + (stage.bends ? room : 0));
+    static_assert(2 * sizeof(typename Here::V) == kPushNumbers * N * sizeof(double));
+    auto* const vectors = reinterpret_cast<typename Here::V*>(joints + (stage.bends ? room : 0));
+    auto* const pushes = ropes.loads ? vectors : nullptr;
+    auto* const by_link = vectors + (pushes ? 2 * contact_count : 0);
     const size_t link_count = stage.bends ? 3 * (contact_count + (stage.has_air() ? room : 0)) : 0;
     auto* const question = reinterpret_cast<double*>(by_link + link_count);
     size_t lanes[N];
     for (size_t j = 0; j < N; ++j) lanes[j] = strands[j / of_strand < count ? j / of_strand : count - 1];
-    Here bundle{ropes,   c,       stage,    nodes, springs, in_air, contacts, joints,
-                by_link, answers, question, lanes, count,   {},     {},       {}};
+    Here bundle{ropes,   c,      stage,    nodes, springs, in_air, contacts, joints, by_link,
+                answers, pushes, question, lanes, count,   {},     {},       {}};
     return bundle.step();
 }
 

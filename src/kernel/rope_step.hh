@@ -28,6 +28,8 @@ struct Ropes {
     StateNumbers position, velocity, force, target, wind;
     double* tension;
     double* taken; // how many iterations each strand's last step took
+    double* loads; // of strand after strand, each with every collider: see kLoadNumbers; null: none are told
+    size_t collider_count;
 };
 
 // Numbers per node or spring and strand, with steps from one to the next: 0 where they are the same.
@@ -85,7 +87,7 @@ struct RopeResult {
 
 // The most lanes, whatever the kernels, those of a call with one strand, and the doubles of scratch per lane and node
 // of its room: always, for the air, for each collider, for each callback and for any; of rods, and there for the air
-// and for each collider.
+// and for each collider; kPushNumbers for each collider where loads are told.
 constexpr size_t kRopeLanes = 8, kLanesAlone = 2, kRopeScratch = 63, kAirScratch = 15, kContactScratch = 34;
 constexpr size_t kAnswerScratch = 4, kQuestionScratch = 7;
 constexpr size_t kJointScratch = 65, kLinkScratch = 9;

@@ -38,6 +38,8 @@ struct Body : Object, BodySettings {
 
     Array<double> colliders;      // each a Collider
     Array<double> beds;           // of each CD_SHAPE_BED, in their order: columns, rows, heights
+    Array<double> loads;          // of each part that may sleep: what it did to each collider in its last step,
+                                  // kLoadNumbers each; empty where that is not told, else room for one at least
     Array<cd_distance> callbacks; // no state: of each collider, without a function where none is set
     BadAnswer bad_answer;         // of a callback, in the last call of step
 };
@@ -125,6 +127,17 @@ inline ColliderSizes collider_sizes(const Body& b, size_t count) {
     return {count, beds, callbacks};
 }
 
+// How many numbers tell what so many colliders bear; SIZE_MAX: more than there is.
+inline size_t load_numbers(size_t count, size_t parts) {
+    size_t numbers;
+    return multiply((count > 0 ? count : 1) * kLoadNumbers, parts, numbers) ? numbers : SIZE_MAX;
+}
+// What all parts do to a collider (sleep.cpp).
+void sum_loads(const Body& b, size_t index, double* out);
+inline void clear_loads(const Body& b) {
+    if (b.loads) memset(b.loads.data, 0, b.loads.bytes());
+}
+
 // A collider by callback that has none, as after a load; or SIZE_MAX.
 inline size_t unanswered(const Body& b) {
     for (size_t i = 0; i < collider_count(b); ++i)
@@ -155,6 +168,7 @@ inline void clear_state(Body& b) {
     stop_clocks(b);
     memset(b.position.data, 0, b.position.bytes());
     memset(b.velocity.data, 0, b.velocity.bytes());
+    clear_loads(b);
     b.clock = {};
     wake(b);
 }
@@ -162,21 +176,21 @@ inline void clear_state(Body& b) {
 // What costs memory, in one value, so that features change all together or not at all.
 struct BodyFeatures {
     cd_method method;
-    bool node_mass, force, target, bend, air, wind, sleep;
+    bool node_mass, force, target, bend, air, wind, sleep, loads;
     ColliderSizes colliders;
 };
 
 // What of these features this build leaves out, or null. Every object adds its own.
 inline const char* left_out(const BodyFeatures& f) {
     if (!CD_WITH_BEND && f.bend) return "bend is";
-    if (!CD_WITH_CONTACT && f.colliders.count > 0) return "colliders are";
+    if (!CD_WITH_CONTACT && (f.colliders.count > 0 || f.loads)) return "colliders are";
     if (!CD_WITH_SLEEP && f.sleep) return "sleep is";
     return nullptr;
 }
 
 // The memory that such features change.
 struct BodyChanges {
-    Change<double> mass, attach_stiffness, attach_damping, coefficients, scratch, colliders, beds, calm;
+    Change<double> mass, attach_stiffness, attach_damping, coefficients, scratch, colliders, beds, calm, loads;
     Change<cd_distance> callbacks;
     Change<char> force, target, wind;
 
@@ -191,6 +205,7 @@ struct BodyChanges {
           colliders{b.colliders, wanted.colliders.count * kColliderNumbers},
           beds{b.beds, wanted.colliders.beds},
           calm{b.calm, wanted.sleep ? parts : 0},
+          loads{b.loads, wanted.loads ? load_numbers(wanted.colliders.count, parts) : 0},
           callbacks{b.callbacks, wanted.colliders.callbacks > 0 ? wanted.colliders.count : 0},
           force{b.force, wanted.force ? b.position.count : 0},
           target{b.target, wanted.target ? b.position.count : 0},
@@ -199,7 +214,7 @@ struct BodyChanges {
     template <class F> bool all(F f) {
         constexpr bool air = CD_WITH_ROPE || CD_WITH_CLOTH;
         return f(mass) && f(attach_stiffness) && f(attach_damping) && f(coefficients) && f(scratch) &&
-               (!(air && CD_WITH_CONTACT) || (f(colliders) && f(beds) && f(callbacks))) &&
+               (!(air && CD_WITH_CONTACT) || (f(colliders) && f(beds) && f(callbacks) && f(loads))) &&
                (!CD_WITH_SLEEP || f(calm)) && f(force) && f(target) && (!air || f(wind));
     }
     // Before they are put: what there is of colliders stays.
@@ -207,6 +222,7 @@ struct BodyChanges {
     // A new target is the present position. New masses and winds are for the object to fill.
     void fill(Body& b) const {
         if (target.is_new()) memcpy(b.target.data, b.position.data, b.target.count);
+        if (loads.is_new()) clear_loads(b);
     }
 };
 

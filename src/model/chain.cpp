@@ -66,7 +66,7 @@ static bool line_pitch(size_t lines, size_t number, size_t& out) {
 
 Features features(const Chain& c) {
     return {{c.method, bool(c.node_mass), bool(c.force), bool(c.target), c.bend > 0, c.air.resists(), bool(c.wind),
-             c.sleep_speed > 0, collider_sizes(c, collider_count(c))},
+             c.sleep_speed > 0, bool(c.loads), collider_sizes(c, collider_count(c))},
             bool(c.spring_stiffness),
             bool(c.node_bend),
             c.ring != 0,
@@ -89,7 +89,7 @@ struct Needs {
 Needs needs_of(const Chain& c, const Features& f) {
     const bool bends = f.bend || f.node_bend, rod = bends || f.ring;
     if (CD_WITH_ROPE && f.length)
-        return {rope_coefficients(c, f.colliders.count), rope_scratch(c, {bends, f.air, f.colliders}), 0};
+        return {rope_coefficients(c, f.colliders.count), rope_scratch(c, {bends, f.air, f.loads, f.colliders}), 0};
     const size_t gains = 2 + size_t(f.force) + size_t(f.target), stages = f.method == CD_METHOD_STIFF_SECOND ? 2 : 1;
     if (is_explicit(f.method)) return {(gains + 2 + size_t(bends)) * row_length(c), 0, 0};
     const bool segments = takes_segments(c, rod);

@@ -66,6 +66,7 @@ struct Chain : Body, ChainSettings {
         f(c.target...);
         if (CD_WITH_ROPE) f(c.tension...), f(c.wind...), f(c.colliders...), f(c.beds...);
         if (CD_WITH_SLEEP) f(c.calm...);
+        if (CD_WITH_ROPE) f(c.loads...);
     }
     template <class F> static void each_array(F f, Chain& c) {
         each_field(f, c);
@@ -241,7 +242,7 @@ inline size_t awake_nodes(const Chain& c) { return (own_strands(c) - sleeping_pa
 const char* what_ropes_lack(const Chain& c);
 // Of strands that are stepped at once: the doubles of scratch; and of the coefficients.
 struct RopeNeeds {
-    bool bend, air;
+    bool bend, air, loads;
     ColliderSizes colliders;
 };
 size_t rope_scratch(const Chain& c, const RopeNeeds& needs);

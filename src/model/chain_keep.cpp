@@ -71,8 +71,9 @@ struct ChainKeep {
     static bool valid(const Chain& c, const Settings& s) {
         const uint32_t optional =
             1u << CD_MASS | 1u << CD_STIFFNESS | 1u << CD_BEND | 1u << CD_FORCE | 1u << CD_TARGET | KeptBody::kOfSleep;
-        const uint32_t of_ropes = s.fields & (kOfRopes | kOfAir | kOfStrength | kOfContacts | kOfShapes | kOfAngle |
-                                              kAngles | 1u << CD_REST_LENGTH | 1u << CD_WIND | 1u << CD_STRENGTH);
+        const uint32_t of_ropes =
+            s.fields & (kOfRopes | kOfAir | kOfStrength | kOfContacts | kOfShapes | kOfAngle | kAngles |
+                        1u << CD_REST_LENGTH | 1u << CD_WIND | 1u << CD_STRENGTH | KeptBody::kOfLoads);
         return valid_body(s) && (s.fields & ~(optional | of_ropes)) == 0 &&
                (s.own.ring == 0 || (s.own.ring == 1 && c.nodes >= 3)) && valid_parameter(s.own.bend) &&
                valid_rope(c, s.own.rope, of_ropes) && valid_air(c, s.own.air) && valid_strength(s) &&

@@ -21,7 +21,8 @@ size_t scratch_of_node(const Chain& c, const RopeNeeds& needs) {
     const ColliderSizes& colliders = needs.colliders;
     const size_t of_node = kRopeScratch + (needs.air ? kAirScratch + more : 0) +
                            colliders.count * (kContactScratch + more) + colliders.callbacks * kAnswerScratch +
-                           (colliders.callbacks > 0 ? kQuestionScratch : 0) + (needs.bend ? kJointScratch : 0);
+                           (colliders.callbacks > 0 ? kQuestionScratch : 0) + (needs.bend ? kJointScratch : 0) +
+                           (needs.loads ? colliders.count * kPushNumbers : 0);
     return of_node * (c.strands > 1 ? kRopeLanes : kLanesAlone);
 }
 
@@ -139,7 +140,9 @@ uint64_t step_ropes(Chain& c, double dt, size_t count) {
                          state_of(c, c.target),
                          state_of(c, c.wind),
                          c.tension.data,
-                         c.coefficients.data + common_numbers(c)};
+                         c.coefficients.data + common_numbers(c),
+                         c.loads.data,
+                         collider_count(c)};
     Obstacle* const obstacles = reinterpret_cast<Obstacle*>(ropes.taken + c.strands);
     ColliderSizes met = {};
     each_obstacle(c, c.rope.thickness, [&](const Obstacle& to) {
@@ -166,8 +169,9 @@ uint64_t step_ropes(Chain& c, double dt, size_t count) {
     uint64_t bad[kMostTasks];
     size_t broken[kMostTasks] = {};
     const size_t groups = groups_of(c), tasks = tasks_of(c);
-    const size_t of_task =
-        rope_lane_room(c.nodes, stage.has_halves()) * scratch_of_node(c, {stage.bends, stage.has_air(), met});
+    const size_t of_strand = load_numbers(ropes.collider_count, 1);
+    const size_t of_task = rope_lane_room(c.nodes, stage.has_halves()) *
+                           scratch_of_node(c, {stage.bends, stage.has_air(), bool(c.loads), met});
     const auto first_strand = [&](size_t task) {
         const size_t first = task * groups / tasks * kStrandsOfGroup;
         return first < c.strands ? first : c.strands;
@@ -187,6 +191,8 @@ uint64_t step_ropes(Chain& c, double dt, size_t count) {
                 for (size_t strand = first; strand < end && strand < first + kStrandsInTurn; ++strand)
                     if (!goes_on_sleeping(c, ChainPart(c, strand), around)) awake[several++] = strand;
                 if (several == 0) continue;
+                for (size_t i = 0; i < several && c.loads; ++i)
+                    memset(c.loads.data + awake[i] * of_strand, 0, of_strand * sizeof(double));
                 sort_by(ropes.taken, awake, several);
                 const RopeResult result = c.kernels->rope_step(ropes, parameters, now, scratch, awake, several);
                 results[t].add(result);

@@ -83,7 +83,8 @@ KeptBody keep_body(const Body& b) {
     const ColliderSizes colliders = collider_sizes(b, collider_count(b));
     return {b,
             bit(bool(b.node_mass), CD_MASS) | bit(bool(b.force), CD_FORCE) | bit(bool(b.target), CD_TARGET) |
-                bit(bool(b.wind), CD_WIND) | (b.sleep_speed > 0 ? KeptBody::kOfSleep : 0),
+                bit(bool(b.wind), CD_WIND) | (b.sleep_speed > 0 ? KeptBody::kOfSleep : 0) |
+                (b.loads ? KeptBody::kOfLoads : 0),
             colliders.count, colliders.beds, colliders.callbacks};
 }
 
@@ -99,9 +100,16 @@ bool valid_body(const KeptBody& kept) {
 }
 
 BodyFeatures features_of_body(const KeptBody& s, bool bend, const AirSettings& air) {
-    return {s.body.method,   s.on(CD_MASS), s.on(CD_FORCE),
-            s.on(CD_TARGET), bend,          air.resists(),
-            s.on(CD_WIND),   s.sleeps(),    {size_t(s.colliders), size_t(s.beds), size_t(s.callbacks)}};
+    return {s.body.method,
+            s.on(CD_MASS),
+            s.on(CD_FORCE),
+            s.on(CD_TARGET),
+            bend,
+            air.resists(),
+            s.on(CD_WIND),
+            s.sleeps(),
+            s.tells_loads(),
+            {size_t(s.colliders), size_t(s.beds), size_t(s.callbacks)}};
 }
 
 bool valid_air(const Body& b, const AirSettings& air) {
@@ -196,6 +204,9 @@ bool check_surroundings(FieldCheck& check, const Body& b, const Layout& layout, 
         check.numbers(sizeof(double), parts, [&](double calm, size_t) {
             return calm == kStirred || (calm >= 0 && calm <= s.body.sleep_seconds);
         });
+    const size_t loads = air && CD_WITH_CONTACT && s.tells_loads() ? load_numbers(size_t(s.colliders), parts) : 0;
+    if (loads > size_t(check.reader.end - check.reader.from) / sizeof(double)) return false;
+    check.numbers(sizeof(double), loads, is_finite);
     return check.all_good() && (!(air && CD_WITH_CONTACT) || colliders_are_shaped(b, s, colliders, beds));
 }
 

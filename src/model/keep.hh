@@ -184,10 +184,13 @@ struct KeptBody {
 
     // Among the bits, where a field of water alone would stand: when parts fall asleep, and how calm each is, follow.
     static constexpr uint32_t kOfSleep = 1u << 21;
+    // What colliders bear follows.
+    static constexpr uint32_t kOfLoads = 1u << 20;
 
     bool has_shapes() const { return beds > 0 || callbacks > 0; }
 
     bool sleeps() const { return (fields & kOfSleep) != 0; }
+    bool tells_loads() const { return (fields & kOfLoads) != 0; }
     bool on(cd_field field) const { return (fields >> field & 1) != 0; }
 };
 

@@ -149,9 +149,9 @@ double drag_of(const Membrane& m, size_t u, size_t v) {
 
 MembraneFeatures features(const Membrane& m) {
     MembraneFeatures f{};
-    static_cast<BodyFeatures&>(f) = {m.method,       bool(m.node_mass), bool(m.force),
-                                     bool(m.target), has_bend(m),       m.cloth.resists(),
-                                     bool(m.wind),   m.sleep_speed > 0, collider_sizes(m, collider_count(m))};
+    static_cast<BodyFeatures&>(f) = {
+        m.method,          bool(m.node_mass), bool(m.force),     bool(m.target), has_bend(m),
+        m.cloth.resists(), bool(m.wind),      m.sleep_speed > 0, bool(m.loads),  collider_sizes(m, collider_count(m))};
     for (Direction d : {kU, kV}) {
         f.spring_stiffness[d] = bool(m.spring_stiffness[d]);
         f.spring_length[d] = bool(m.spring_length[d]);

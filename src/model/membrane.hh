@@ -70,7 +70,7 @@ struct Membrane : Body, MembraneSettings {
         f(m.pin...), f(m.mask...), f(m.node_mass...), f(m.spring_stiffness[kU]...), f(m.spring_stiffness[kV]...);
         f(m.spring_length[kU]...), f(m.spring_length[kV]...), f(m.breaking_strain[kU]...), f(m.breaking_strain[kV]...);
         f(m.attach_stiffness...), f(m.attach_damping...), f(m.position...), f(m.velocity...), f(m.force...);
-        f(m.target...), f(m.wind...), f(m.colliders...), f(m.beds...), f(m.calm...);
+        f(m.target...), f(m.wind...), f(m.colliders...), f(m.beds...), f(m.calm...), f(m.loads...);
         f(m.change...); // last: bytes of older versions end before it, and read as 0
     }
     template <class F> static void each_array(F f, Membrane& m) {

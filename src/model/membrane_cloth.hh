@@ -10,6 +10,7 @@ namespace cd {
 // A node and what it may touch in a step. (model.md, 47)
 struct ClothContact {
     double at;          // place of the node in the planes
+    double collider;    // its index
     double normal[3];   // of the collider where the step finds the node
     double gap;         // outside of it when the step begins [m]
     double room;        // how far the node may go against it [m], the collider's own motion counted
@@ -84,7 +85,10 @@ void widen_by_contacts(const ClothWork& w, size_t contacts, double* const* least
 // residual += the contacts' impulses at `velocity`; ground, if not null, gets their stiffness.
 void add_contacts(const ClothWork& w, size_t contacts, double dt, double* const* velocity, double* const* residual,
                   double* const* ground);
-// What is pushed leaves a contact as fast as w has it, and what came out of a collider is not thrown.
-void settle_contacts(const ClothWork& w, size_t contacts, double dt, double* const* velocity);
+// What is pushed leaves a contact as fast as w has it, and what came out of a collider is not thrown. Of the residual it
+// takes lambda times the momentum that this gives.
+void settle_contacts(const ClothWork& w, size_t contacts, double dt, double lambda, double* const* velocity);
+// Tells what nodes do to colliders: the residual is that of w without contacts, and `from` is where the step ends.
+void tell_loads(const Membrane& m, const ClothWork& w, size_t contacts, double dt);
 
 } // namespace cd

@@ -159,6 +159,7 @@ size_t find_contacts(Membrane& m, ClothWork& w, double now, double dt) {
                 const Gap gap = to.callback ? told[node] : gap_to(to, vector_at(w.from, at), now);
                 const Vector3 out = gap.normal;
                 const ClothContact contact{double(at),
+                                           double(to.index),
                                            {out[0], out[1], out[2]},
                                            gap.size,
                                            gap.size - dt * dot(out, velocity),
@@ -278,7 +279,8 @@ void add_contacts(const ClothWork& w, size_t contacts, double dt, double* const*
     }
 }
 
-__attribute__((cold)) void settle_contacts(const ClothWork& w, size_t contacts, double dt, double* const* velocity) {
+__attribute__((cold)) void settle_contacts(const ClothWork& w, size_t contacts, double dt, double lambda,
+                                           double* const* velocity) {
     for (size_t i = 0, count; i < contacts; i += count) {
         count = contacts_of_node(w, i, contacts);
         const size_t at = size_t(w.contacts[i].at);
@@ -306,6 +308,54 @@ __attribute__((cold)) void settle_contacts(const ClothWork& w, size_t contacts, 
         const double square = dot(change, change);
         const double share = square <= 2 * falls ? 1 : falls > 0 ? falls / square : 0; // or it would gain energy
         for (int k = 0; k < 3; ++k) velocity[k][at] += share * change[k];
+        for (int k = 0; k < 3; ++k) w.residual[k][at] -= lambda * w.mass[at] * (share * change[k]);
+    }
+}
+
+// What a node that has met colliders lacks of the momentum that it has, they have given it: so that with few iterations,
+// too, the sum is right, where contacts as stiff as these are far off. What the others lack, of a part of the sheet that
+// nothing holds, has come from there too: each that has met one has its share by mass. Of several colliders of a node all
+// but the one that pushes most take what they push by, and that one the rest.
+__attribute__((cold)) void tell_loads(const Membrane& m, const ClothWork& w, size_t contacts, double dt) {
+    clear_loads(m);
+    double *const *const missing = w.image, *const bears = w.answer[0], *const met = w.answer[1]; // of parts; of nodes
+    const auto each_place = [&](auto f) {
+        for (size_t v = 0; v < m.rows; ++v)
+            for (size_t u = 0; u < m.columns; ++u) f(w.place(u, v));
+    };
+    each_place([&](size_t at) { missing[0][at] = missing[1][at] = missing[2][at] = bears[at] = met[at] = 0; });
+    for (size_t i = 0; i < contacts; ++i) met[size_t(w.contacts[i].at)] += w.contacts[i].met;
+    each_place([&](size_t at) {
+        const size_t part = w.part[at];
+        if (!(w.moves[at] > 0)) bears[part] = HUGE_VAL;
+        else if (met[at] > 0) bears[part] += w.mass[at];
+        else
+            for (int k = 0; k < 3; ++k) missing[k][part] += w.residual[k][at];
+    });
+    for (size_t i = 0, count; i < contacts; i += count) {
+        count = contacts_of_node(w, i, contacts);
+        const size_t at = size_t(w.contacts[i].at);
+        const Vector3 moved = vector_at(w.w, at), x = vector_at(w.from, at);
+        const size_t part = w.part[at];
+        Vector3 left = vector_at(w.residual, at) + w.mass[at] / bears[part] * vector_at(missing, part);
+        const auto load = [&](const ClothContact& c, Vector3 impulse) {
+            const Vector3 force = 1 / (m.lambda * dt) * impulse;
+            add_force(m.loads.data + size_t(c.collider) * kLoadNumbers, force.k, x.k);
+        };
+        const auto push = [&](const ClothContact& c) { return fmin(c.push, push_of(c, moved, 1 / dt)); };
+        const ClothContact* most = nullptr;
+        for (size_t j = i; j < i + count; ++j)
+            if (w.contacts[j].met > 0 && (!most || push(w.contacts[j]) > push(*most))) most = &w.contacts[j];
+        for (size_t j = i; j < i + count && most; ++j) {
+            const ClothContact& c = w.contacts[j];
+            if (&c == most || !(c.met > 0)) continue;
+            Vector3 slip;
+            const double resistance = resistance_of(c, moved, slip);
+            const Vector3 taken = resistance * slip - push(c) * normal_of(c);
+            load(c, taken);
+            left = left - taken;
+        }
+        if (most) load(*most, left);
     }
 }
 

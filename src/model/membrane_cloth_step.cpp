@@ -110,6 +110,14 @@ struct ClothStep {
             add_contacts(w, contacts, dt, velocity, w.residual, curves && contacts > 0 ? w.ground : nullptr);
     }
 
+    // Leaves the residual of w without contacts: what their impulses make up for.
+    [[gnu::cold]] void find_pushes() {
+        const size_t all = contacts;
+        contacts = 0;
+        find_residual(w.w, false);
+        contacts = all;
+    }
+
     // image = matrix p
     void apply(double* const* p) const {
         wrap(p);
@@ -435,8 +443,9 @@ struct ClothStep {
         const double share = 1 / m.lambda; // v1 = v0 + (w - v0) / lambda
         if (share != 1) combine(1 - share, w.trial, share, w.w, w.trial);
         else copy(w.w, w.trial);
-        if (CD_WITH_CONTACT) settle_contacts(w, contacts, dt, w.trial);
+        if (CD_WITH_CONTACT) settle_contacts(w, contacts, dt, m.lambda, w.trial);
         add(dt, w.w, w.from);
+        if (CD_WITH_CONTACT && m.loads) tell_loads(m, w, contacts, dt);
         each_number_of_state<T>(m.position, [&](size_t k, size_t at, T& x) { finite &= put(w.from[k][at], x); });
         each_number_of_state<T>(m.velocity, [&](size_t k, size_t at, T& v) { finite &= put(w.trial[k][at], v); });
         return finite;
@@ -447,6 +456,7 @@ struct ClothStep {
         start(now);
         newton();
         bound();
+        if (CD_WITH_CONTACT && m.loads) find_pushes();
         return finish();
     }
 };

@@ -103,7 +103,7 @@ struct MembraneKeep {
         for (cd_field field : {CD_MASS, CD_FORCE, CD_TARGET, CD_STIFFNESS_U, CD_STIFFNESS_V, CD_PIN, CD_MASK})
             optional |= 1u << field;
         const bool is_cloth = (s.fields & kOfCloth) != 0;
-        if (is_cloth) optional |= kOfCloth | kOfChange | kOfShapes | 1u << CD_WIND;
+        if (is_cloth) optional |= kOfCloth | kOfChange | kOfShapes | KeptBody::kOfLoads | 1u << CD_WIND;
         if (is_cloth) optional |= 1u << CD_REST_LENGTH_U | 1u << CD_REST_LENGTH_V;
         if (is_cloth) optional |= kOfBreaking | kBreaking[kU] | kBreaking[kV];
         bool good = valid_body(s) && (s.fields & ~optional) == 0 && (!is_cloth || valid_cloth(m, s));

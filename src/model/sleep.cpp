@@ -1,5 +1,7 @@
 #include "model/sleep.hh"
 
+#include "base/sum.hh"
+
 namespace cd {
 
 // Planes and capsules by the distance that is left at the step's end; beds, whose distances are of first order only,
@@ -19,6 +21,15 @@ bool Surroundings::may_touch(const Obstacle& it, const double* x) const {
         gap = sqrt(gap);
     }
     return !(gap - it.radius > sqrt(speed) * dt);
+}
+
+__attribute__((cold)) void sum_loads(const Body& b, size_t index, double* out) {
+    const size_t of_part = load_numbers(collider_count(b), 1);
+    for (size_t k = 0; k < kLoadNumbers; ++k) {
+        Sum sum;
+        for (size_t at = index * kLoadNumbers + k; at < b.loads.count; at += of_part) sum.add(b.loads[at]);
+        out[k] = sum.value();
+    }
 }
 
 } // namespace cd

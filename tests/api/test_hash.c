@@ -84,6 +84,7 @@ static void no_rest_angles(cd_chain* c) { ok(cd_chain_disable_field(c, CD_REST_A
 static void strength(cd_chain* c) { ok(cd_chain_set_strength(c, 1e4)); }
 static const double low[COMPONENTS] = {-3, -3}, lower[COMPONENTS] = {-3, -4}, left[COMPONENTS] = {-0.5, 0};
 static void thickness(cd_chain* c) { ok(cd_chain_set_thickness(c, 0.005)); }
+static void loads(cd_chain* c) { ok(cd_chain_set_loads(c, 1)); }
 static void no_colliders(cd_chain* c) { ok(cd_chain_set_colliders(c, 0)); }
 static void collider_less(cd_chain* c) { ok(cd_chain_set_colliders(c, 3)); }
 static void collider_more(cd_chain* c) { ok(cd_chain_set_colliders(c, 5)); }
@@ -205,6 +206,7 @@ static void (*const rope_changes[])(cd_chain*) = {may_sleep,
                                                   shifted,
                                                   turned,
                                                   thickness,
+                                                  loads,
                                                   no_colliders,
                                                   collider_less,
                                                   collider_more,

@@ -121,6 +121,7 @@ static void wind_0(cd_membrane* m) { ok(cd_membrane_set_wind(m, pull[0], COMPONE
 static void wind_2(cd_membrane* m) { ok(cd_membrane_set_wind(m, pull[2], COMPONENTS)); }
 static void no_winds(cd_membrane* m) { ok(cd_membrane_disable_field(m, CD_WIND)); }
 static void thickness(cd_membrane* m) { ok(cd_membrane_set_thickness(m, 0.02)); }
+static void loads(cd_membrane* m) { ok(cd_membrane_set_loads(m, 1)); }
 static void no_colliders(cd_membrane* m) { ok(cd_membrane_set_colliders(m, 0)); }
 static void collider_less(cd_membrane* m) { ok(cd_membrane_set_colliders(m, 3)); }
 static void collider_more(cd_membrane* m) { ok(cd_membrane_set_colliders(m, 5)); }
@@ -160,6 +161,7 @@ static void (*const cloth_changes[])(cd_membrane*) = {may_sleep,
                                                       wind_2,
                                                       no_winds,
                                                       thickness,
+                                                      loads,
                                                       no_colliders,
                                                       collider_less,
                                                       collider_more,

@@ -68,7 +68,7 @@ COUNTS = {"set_bed": {"heights": 4}, "get_bed": {"out_heights": 0}, "set_hull": 
           "get_hull": {"out_heights": 1}, "set_hull_pose": {"pose": 7}, "get_hull_pose": {"out_pose": 7},
           "get_hull_floor": {"out_pose": 7}, "set_hull_velocity": {"velocity": 6},
           "get_hull_velocity": {"out_velocity": 6}, "set_hull_force": {"force": 6}, "get_hull_force": {"out_force": 6},
-          "get_hull_load": {"out_load": 6}}
+          "get_hull_load": {"out_load": 6}, "get_collider_load": {"out_load": 6}}
 STARTS = ("rotation", "normal", "pose")  # what begins as this does, in as many numbers as it has
 IDENTITY = [float(row == column) for row in range(COMPONENTS) for column in range(COMPONENTS)]
 ROOM = 1 << 16

@@ -135,6 +135,7 @@ class Calls:
         elif self.state == "with lengths":
             assert check_api.set_length(self.library, self.kind, handle, 1.0) == OK
             assert getattr(dll, f"cd_{self.kind}_set_colliders")(handle, 1) == OK
+            assert getattr(dll, f"cd_{self.kind}_set_loads")(handle, 1) == OK
         elif self.state == "ring":
             assert getattr(dll, f"cd_{self.kind}_set_ring")(handle, 1, 1) == OK
         self.objects.append(handle)

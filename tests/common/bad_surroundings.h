@@ -81,6 +81,7 @@ static void only_springs_that_have_a_length_touch_things(void** state) {
     HANDLE* b = new_body();
     is_refused(CALL(set_colliders)(b, 1), CD_ERROR_UNSUPPORTED, "things|rest length");
     is_refused(CALL(set_thickness)(b, 1), CD_ERROR_UNSUPPORTED, "things|rest length");
+    is_refused(CALL(set_loads)(b, 1), CD_ERROR_UNSUPPORTED, "things|rest length");
     is_refused(CALL(set_plane)(b, 0, place, place, 3, 0), CD_ERROR_UNSUPPORTED, "things|rest length");
     is_refused(CALL(set_capsule)(b, 0, place, place, 3, 1, 0), CD_ERROR_UNSUPPORTED, "things|rest length");
     is_refused(CALL(set_collider_velocity)(b, 0, place, 3), CD_ERROR_UNSUPPORTED, "things|rest length");
@@ -90,6 +91,7 @@ static void only_springs_that_have_a_length_touch_things(void** state) {
     is_refused(CALL(set_plane)(b, 0, place, place, 3, 0), CD_ERROR_RANGE, none_yet);
     is_refused(CALL(get_bed)(b, 0, &count, &count, NULL, 0), CD_ERROR_RANGE, none_yet);
     is_refused(CALL(get_collider)(b, 0, &out.i32, NULL, NULL, NULL, 3, &radius, &radius), CD_ERROR_RANGE, none_yet);
+    is_refused(CALL(get_collider_load)(b, 0, out.number, 6), CD_ERROR_RANGE, none_yet);
     ok(CALL(set_colliders)(b, 2));
     is_refused(CALL(set_plane)(b, 0, place, none, 3, 0), CD_ERROR_VALUE, "normal|0");
     ok(CALL(set_thickness)(b, 0.25));
@@ -98,6 +100,35 @@ static void only_springs_that_have_a_length_touch_things(void** state) {
     ok(CALL(get_colliders)(b, &count));
     ok(CALL(get_thickness)(b, &radius));
     assert_true(count == 0 && radius == 0);
+    CALL(destroy)(b);
+}
+
+static void loads_are_told_to_who_asks(void** state) {
+    (void)state;
+    double load[6] = {1, 1, 1, 1, 1, 1};
+    int32_t told = 7;
+    HANDLE* b = new_body();
+    set_lengths(b, 1);
+    ok(CALL(set_colliders)(b, 2));
+    ok(CALL(get_loads)(b, &told));
+    assert_int_equal(told, 0);
+    is_refused(CALL(get_collider_load)(b, 1, out.number, 6), CD_ERROR_DISABLED,
+               text_of("loads|%s", TEXT(CALL(set_loads))));
+    is_refused(CALL(set_loads)(b, 2), CD_ERROR_VALUE, "loads|2");
+    is_refused(CALL(set_loads)(b, -1), CD_ERROR_VALUE, "loads|-1");
+    ok(CALL(set_loads)(b, 1));
+    ok(CALL(get_loads)(b, &told));
+    assert_int_equal(told, 1);
+    is_refused(CALL(get_collider_load)(b, 2, out.number, 6), CD_ERROR_RANGE, name_and_size("index", 2));
+    is_refused(CALL(get_collider_load)(b, 1, out.number, 3), CD_ERROR_RANGE, name_and_size("count", 3));
+    ok(CALL(get_collider_load)(b, 1, load, 6)); /* before any step */
+    for (int k = 0; k < 6; ++k) assert_true(load[k] == 0 && !signbit(load[k]));
+    ok(CALL(set_colliders)(b, 0)); /* they stay asked for */
+    ok(CALL(get_loads)(b, &told));
+    assert_int_equal(told, 1);
+    set_lengths(b, 0);
+    ok(CALL(get_loads)(b, &told));
+    assert_int_equal(told, 0);
     CALL(destroy)(b);
 }
 
@@ -279,9 +310,9 @@ static void beds_and_callbacks_give_their_memory_back(void** state) {
     CALL(destroy)(b);
 }
 
-#define SURROUNDINGS_TESTS                                                                                       \
-    cmocka_unit_test(only_springs_that_have_a_length_feel_air),                                                  \
-        cmocka_unit_test(only_springs_that_have_a_length_touch_things),                                          \
-        cmocka_unit_test(beds_have_as_many_heights_as_places),                                                   \
-        cmocka_unit_test(callbacks_are_functions_that_tell_distances), cmocka_unit_test(callbacks_are_not_kept), \
+#define SURROUNDINGS_TESTS                                                                                            \
+    cmocka_unit_test(only_springs_that_have_a_length_feel_air),                                                       \
+        cmocka_unit_test(only_springs_that_have_a_length_touch_things), cmocka_unit_test(loads_are_told_to_who_asks), \
+        cmocka_unit_test(beds_have_as_many_heights_as_places),                                                        \
+        cmocka_unit_test(callbacks_are_functions_that_tell_distances), cmocka_unit_test(callbacks_are_not_kept),      \
         cmocka_unit_test(beds_and_callbacks_give_their_memory_back)

@@ -90,7 +90,7 @@ union slot {
     size_t size;
     int32_t whole;
 };
-enum { SLOTS = 1 << 16 };
+enum { SLOTS = 1 << 17 };
 static struct {
     union slot slots[SLOTS];
     const char* calls[SLOTS]; /* that told them */
@@ -115,6 +115,7 @@ static union slot* room(const char* call, size_t count) {
 /* Which not all have: ropes and cloth no limit, membranes in a plane no volume. */
 #define NUMBER_IF_ANY(call) is_any(*WHOLES(call) = call(o, NUMBERS(call, 1)))
 static void is_any(cd_status status) { assert_true(status == CD_OK || status == CD_ERROR_UNSUPPORTED); }
+static void is_told(cd_status status) { assert_true(status == CD_OK || status == CD_ERROR_DISABLED); }
 
 #define BODY(body)                                                                                                  \
     do {                                                                                                            \
@@ -124,7 +125,7 @@ static void is_any(cd_status status) { assert_true(status == CD_OK || status == 
         *SIZES(cd_##body##_get_colliders) = colliders;                                                              \
         NUMBER(cd_##body##_get_lambda), NUMBER(cd_##body##_get_mass), NUMBER(cd_##body##_get_bend);                 \
         NUMBER(cd_##body##_get_drag), NUMBER(cd_##body##_get_stiffness_damping), NUMBER(cd_##body##_get_thickness); \
-        WHOLE(cd_##body##_get_method), WHOLE(cd_##body##_get_mass_rule);                                            \
+        WHOLE(cd_##body##_get_method), WHOLE(cd_##body##_get_mass_rule), WHOLE(cd_##body##_get_loads);              \
         NUMBER_IF_ANY(cd_##body##_stable_dt);                                                                       \
         ok(cd_##body##_get_tolerance(o, NUMBERS(get_tolerance, 1), SIZES(get_tolerance)));                          \
         ok(cd_##body##_get_gravity(o, NUMBERS(get_gravity, components), components));                               \
@@ -136,6 +137,7 @@ static void is_any(cd_status status) { assert_true(status == CD_OK || status == 
             double* const x = NUMBERS(get_collider, 3 * components + 2);                                            \
             double *const second = x + components, *const v = second + components, *const radius = v + components;  \
             ok(cd_##body##_get_collider(o, i, WHOLES(get_collider), x, second, v, components, radius, radius + 1)); \
+            is_told(cd_##body##_get_collider_load(o, i, NUMBERS(get_collider_load, 6), 6));                         \
         }                                                                                                           \
     } while (0)
 

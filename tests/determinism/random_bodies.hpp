@@ -160,6 +160,16 @@ void meet_things(Handle* handle, size_t components, double size, Random& random,
         for (size_t k = 0; k < 3; ++k) first[k] += radius, normal[k] += 0.25;
     }
     if (random.chance(0.3)) returned += Api::set_thickness(handle, size * random.any_of({0, 0.001, 0.05}));
+    if (random.chance(0.3)) returned += Api::set_loads(handle, int32_t(random.chance(0.8)));
+}
+template <class Api, class Handle> void measure_loads(const Handle* handle, Returned& returned) {
+    size_t count = 0;
+    double load[6] = {};
+    Api::get_colliders(handle, &count);
+    for (size_t i = 0; i < count; ++i) {
+        returned += Api::get_load(handle, i, load, 6);
+        for (double number : load) returned += number;
+    }
 }
 
 #define COLLIDER_API(Name, object, most_at_once)                                  \
@@ -176,6 +186,8 @@ void meet_things(Handle* handle, size_t components, double size, Random& random,
         static constexpr auto get_collider = cd_##object##_get_collider;          \
         static constexpr auto remove = cd_##object##_remove_collider;             \
         static constexpr auto set_thickness = cd_##object##_set_thickness;        \
+        static constexpr auto set_loads = cd_##object##_set_loads;                \
+        static constexpr auto get_load = cd_##object##_get_collider_load;         \
     }
 COLLIDER_API(RopeThings, chain, 4);
 COLLIDER_API(ClothThings, membrane, 6); // more than a node heeds
@@ -286,6 +298,7 @@ struct ChainScene {
             returned += cd_chain_get_collider(chain, i, nullptr, force, nullptr, nullptr, components, nullptr, nullptr);
             returned += force[0];
         }
+        measure_loads<RopeThings>(chain, returned);
     }
 
     // Implicit steps of all lengths; steps that may grow only where they are short.

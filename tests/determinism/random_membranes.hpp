@@ -96,6 +96,7 @@ struct MembraneScene {
             returned += read(membrane, field, numbers);
             for (double number : numbers) returned += number;
         }
+        measure_loads<ClothThings>(membrane, returned);
     }
 };
 

@@ -82,6 +82,9 @@ template <class Api> struct Colliders;
         static constexpr auto get_collider = cd_##object##_get_collider;                   \
         static constexpr auto set_thickness = cd_##object##_set_thickness;                 \
         static constexpr auto get_thickness = cd_##object##_get_thickness;                 \
+        static constexpr auto set_loads = cd_##object##_set_loads;                         \
+        static constexpr auto get_loads = cd_##object##_get_loads;                         \
+        static constexpr auto get_collider_load = cd_##object##_get_collider_load;         \
     }
 FUZZ_COLLIDERS(ChainApi, chain);
 FUZZ_COLLIDERS(MembraneApi, membrane);

@@ -50,6 +50,8 @@ protected:
     void set_collider_velocity();
     void set_thickness();
     void get_collider();
+    void set_loads();
+    void get_collider_load();
 
     virtual bool sleeps() const = 0; // some part
     size_t awake_nodes(cd_status (*getter)(const Handle*, size_t*)) const;

@@ -209,8 +209,8 @@ void Chain::act_by_kind() {
     case 42: set_capsule(); break;
     case 43: remove_collider(); break;
     case 44: set_collider_velocity(); break;
-    case 45: set_thickness(); break;
-    case 46: get_collider(); break;
+    case 45: chance(0.5) ? set_thickness() : set_loads(); break;
+    case 46: chance(0.5) ? get_collider() : get_collider_load(); break;
     case 47:
     case 48: set_bed(); break;
     case 49: get_bed(); break;
@@ -316,7 +316,8 @@ void Chain::get_shape() {
 }
 
 void Chain::get_parameter() {
-    switch (below(14)) {
+    switch (below(15)) {
+    case 14: get("get_loads", cd_chain_get_loads); break;
     case 13: get("get_rest_angle", cd_chain_get_rest_angle); break;
     case 12: get("get_awake", cd_chain_get_awake); break;
     case 9: get("get_strength", cd_chain_get_strength); break;

@@ -275,6 +275,31 @@ template <class Api> void Body<Api>::get_collider() {
         problem("get_collider: %s of collider %zu of %zu, count %zu", cd_status_name(status), index, all, count);
 }
 
+template <class Api> void Body<Api>::set_loads() {
+    const int32_t loads = pick_enum(1);
+    const cd_status status = this->both(text("set_loads %d", int(loads)), 0,
+                                        [&](Handle* handle, int) { return Colliders<Api>::set_loads(handle, loads); });
+    if (status == CD_OK && !(has_lengths() && (loads == 0 || loads == 1))) problem("set_loads: it is taken");
+}
+
+template <class Api> void Body<Api>::get_collider_load() {
+    const size_t index = pick_collider(), count = pick_count(6);
+    double told[2][6] = {};
+    const cd_status status =
+        this->both(text("get_collider_load %zu, count %zu", index, count), kReads, [&](Handle* handle, int which) {
+            return Colliders<Api>::get_collider_load(handle, index, told[which], count);
+        });
+    this->must_agree("get_collider_load", told[0], told[1], 6);
+    size_t all = 0;
+    int32_t loads = 0;
+    Colliders<Api>::get_colliders(this->first(), &all);
+    Colliders<Api>::get_loads(this->first(), &loads);
+    if ((status == CD_OK) != (index < all && count == 6 && loads == 1))
+        problem("get_collider_load: %s of collider %zu of %zu, count %zu", cd_status_name(status), index, all, count);
+    for (double number : told[0])
+        if (!std::isfinite(number)) problem("get_collider_load tells %g", number);
+}
+
 template class Body<ChainApi>;
 template class Body<MembraneApi>;
 

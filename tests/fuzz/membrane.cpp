@@ -221,8 +221,8 @@ void Membrane::act_by_kind() {
     case 50: set_capsule(); break;
     case 51: remove_collider(); break;
     case 52: set_collider_velocity(); break;
-    case 53: set_thickness(); break;
-    case 54: get_collider(); break;
+    case 53: chance(0.5) ? set_thickness() : set_loads(); break;
+    case 54: chance(0.5) ? get_collider() : get_collider_load(); break;
     case 55:
     case 56: set_bed(); break;
     case 57: get_bed(); break;

@@ -123,7 +123,8 @@ void Membrane::set_wind() {
 void Membrane::get_of_cloth() {
     double pair[2][4] = {};
     size_t effort[2][2] = {};
-    switch (below(10)) {
+    switch (below(11)) {
+    case 10: get("get_loads", cd_membrane_get_loads); break;
     case 8: get("get_breaking_strain", cd_membrane_get_breaking_strain); break;
     case 9: get("get_broken", cd_membrane_get_broken, false); break; // a copy may not have stepped yet
     case 0: get("get_shear", cd_membrane_get_shear); break;

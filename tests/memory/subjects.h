@@ -63,6 +63,7 @@ static struct made chain_call(any* c, size_t number) {
     CALL(cd_chain_set_strength(c, 1e6));
     CALL(cd_chain_set_colliders(c, 1));
     CALL(cd_chain_set_colliders(c, 6));
+    CALL(cd_chain_set_loads(c, 1));
     CALL(cd_chain_set_colliders(c, 0));
     CALL(cd_chain_set_capsule(c, 0, target, target, COMPONENTS, 0.5, 1));
     CALL(cd_chain_set_bed(c, 0, target, COMPONENTS, 3, 2, 1, 1, hills, 6, 0));
@@ -95,6 +96,7 @@ static struct made membrane_call(any* m, size_t number) {
     CALL(cd_membrane_set_air(m, 0, 0));
     CALL(cd_membrane_set_colliders(m, 1));
     CALL(cd_membrane_set_colliders(m, 6));
+    CALL(cd_membrane_set_loads(m, 1));
     CALL(cd_membrane_set_colliders(m, 0));
     CALL(cd_membrane_set_capsule(m, 0, target, target, COMPONENTS, 0.5, 1));
     CALL(cd_membrane_set_bed(m, 0, target, COMPONENTS, 3, 2, 1, 1, hills, 6, 0));

@@ -343,6 +343,18 @@ RULES = {
         "rope_contact.hh", "kStickSpeed = 1e-4;", "kStickSpeed = 1e-2;", ["physics_rope_contact"]),
     "held nodes touch nothing": (
         "rope_contact.hh", "free = opposite(held(i));", "free = one();", ["physics_rope_contact"]),
+    "loads go as far as the interior point goes": (
+        "rope_step.cpp", "take_pushes(part);", "take_pushes(one());", ["physics_rope_loads"]),
+    "what a node forgets was not given by what it came out of": (
+        "collider.cpp", "of.rate * weight * of.normal[contact + c * of.lanes] + (weight", "(weight", ["physics_rope_loads"]),
+    "nor what its strand loses": (
+        "collider.cpp", "(weight > 0 ? weight / weights * slowed[c] : 0)", "0", ["physics_rope_loads"]),
+    "of a step that was not solved no load is told": (
+        "rope_contact.hh", "select(open, L{}, L::splat(1 / stage.dt) * per_lambda)", "L::splat(1 / stage.dt) * per_lambda", ["physics_rope_loads"]),
+    "what a free sheet's nodes lack counts, whether they touch or not": (
+        CLOTH_ACT, " + w.mass[at] / bears[part] * vector_at(missing, part)", "", ["physics_cloth_loads"]),
+    "but not a held one's": (
+        CLOTH_ACT, "bears[part] = HUGE_VAL;", "(void)0;", ["physics_cloth_loads"]),
     "a step of cloth ends where it has made no energy": (
         CLOTH_STEP, "        add(share, way, w.w);\n", "", ["stability_cloth"]),
     "with the momentum that a free sheet has": (

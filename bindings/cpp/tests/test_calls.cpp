@@ -224,6 +224,9 @@ void colliders() {
     OK(rope.set_colliders(2));
     OK(rope.set_thickness(0.0625));
     CHECK(GET(rope.get_colliders()) == 2 && GET(rope.get_thickness()) == 0.0625);
+    CHECK(!GET(rope.get_loads()));
+    OK(rope.set_loads(true));
+    CHECK(GET(rope.get_loads()));
     OK(rope.set_plane(0, {0, -1}, {0, 5}, 0.5));
     OK(rope.set_capsule(1, {7, 8}, {9, 8}, 0.25));
     OK(rope.set_collider_velocity(0, {0.5, 0}));
@@ -235,6 +238,9 @@ void colliders() {
     const collider capsule = GET(rope.get_collider(1, first, second, velocity));
     CHECK(capsule.shape == contdyn::shape::capsule && second[0] == 9 && capsule.radius == 0.25);
     for (std::size_t i = 1; i < 10; i += 2) CHECK(std::fabs(GET(rope.read_f64(field::position))[i] + 0.9375) < 1e-6);
+    std::array<double, 6> load{};
+    OK(rope.get_collider_load(0, load)); // its weight
+    CHECK(std::fabs(load[1] + 10) < 1e-6 && load[2] == 0 && load[3] == 0);
     OK(rope.remove_collider(1));
     CHECK(GET(rope.get_collider(1, first, second, velocity)).shape == contdyn::shape::none);
 }
@@ -372,6 +378,9 @@ void cloth() {
     OK(rug.set_colliders(2));
     OK(rug.set_thickness(0.0625));
     CHECK(GET(rug.get_colliders()) == 2 && GET(rug.get_thickness()) == 0.0625);
+    CHECK(!GET(rug.get_loads()));
+    OK(rug.set_loads(true));
+    CHECK(GET(rug.get_loads()));
     OK(rug.set_plane(0, {0, -1, 0}, {0, 5, 0}, 0.5));
     OK(rug.set_capsule(1, {7, 8, 9}, {9, 8, 9}, 0.25));
     OK(rug.set_collider_velocity(0, {0.5, 0, 0}));
@@ -384,6 +393,9 @@ void cloth() {
     CHECK(capsule.shape == contdyn::shape::capsule && second[0] == 9 && capsule.radius == 0.25);
     const std::vector<double> lying = GET(rug.read_f64(field::position));
     for (std::size_t i = 1; i < lying.size(); i += 3) CHECK(std::fabs(lying[i] + 0.9375) < 1e-5);
+    std::array<double, 6> load{};
+    OK(rug.get_collider_load(0, load));
+    CHECK(load[1] < 0);
     OK(rug.remove_collider(1));
     CHECK(GET(rug.get_collider(1, first, second, velocity)).shape == contdyn::shape::none);
 }

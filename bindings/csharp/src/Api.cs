@@ -763,8 +763,8 @@ namespace Contdyn
             }
         }
 
-        /// <summary>Spreads the strands of a step over the caller's threads. Null turns it off. Errors: CD_ERROR_NULL
-        /// for a table without run.</summary>
+        /// <summary>Spreads the strands of a step over the caller's threads. Null: none. Errors: CD_ERROR_NULL for a
+        /// table without run.</summary>
         public void SetParallel(ParallelCallbacks parallel)
         {
             void* parallelStruct = parallel == null ? null : parallel.Struct();
@@ -1003,8 +1003,7 @@ namespace Contdyn
         /// nothing and is 0. A plane or capsule that moves wakes what it could touch in the next step; a bed that
         /// moves, or a callback, keeps all awake. What changes a strand wakes it, with whatever numbers: a write, an
         /// impulse, a teleport, an attachment, a cut; what is set wakes all, but for the hook, the kernels and the
-        /// tolerance. Who sleeps is part of the state, and the same whatever hook and kernels. Errors: CD_ERROR_VALUE;
-        /// CD_ERROR_MEMORY.</summary>
+        /// tolerance. Who sleeps is part of the state. Errors: CD_ERROR_VALUE; CD_ERROR_MEMORY.</summary>
         public void SetSleep(double speed, double seconds)
         {
             Changed();
@@ -1019,8 +1018,7 @@ namespace Contdyn
         /// nothing and is 0. A plane or capsule that moves wakes what it could touch in the next step; a bed that
         /// moves, or a callback, keeps all awake. What changes a strand wakes it, with whatever numbers: a write, an
         /// impulse, a teleport, an attachment, a cut; what is set wakes all, but for the hook, the kernels and the
-        /// tolerance. Who sleeps is part of the state, and the same whatever hook and kernels. Errors: CD_ERROR_VALUE;
-        /// CD_ERROR_MEMORY.</summary>
+        /// tolerance. Who sleeps is part of the state. Errors: CD_ERROR_VALUE; CD_ERROR_MEMORY.</summary>
         public ChainSleep GetSleep()
         {
             double outSpeed;
@@ -1085,8 +1083,8 @@ namespace Contdyn
 
         /// <summary>Whether springs with a length push when shorter (1) or are slack (0, the default). Links that push
         /// are solved by Newton's method alone, which may fail from a crumpled start, or where hardly any bend holds
-        /// them at long steps: of the first 15 steps of 20 or 50 links laid at random one in 700. Such a step moves
-        /// less than it should. Errors: CD_ERROR_VALUE.</summary>
+        /// them at long steps: of the first 15 steps of 20 or 50 links laid at random one in 700, which moves too
+        /// little. Errors: CD_ERROR_VALUE.</summary>
         public bool Push
         {
             get
@@ -1141,14 +1139,13 @@ namespace Contdyn
         /// their directions now (0 of a spring without length), and of the forces of the bend at the node and at the
         /// nodes beside it. After a step that ended short of its tolerance tensions are a guess, 0 or at most the sum
         /// of the forces of springs on each node in that step: a rope of fixed length has no tension that holds a
-        /// driven end which would stretch it. To tie a rope to a body of your own, give the last node the body's mass,
-        /// in CD_MASS; or drive the end, and give the rope a finite stiffness. Where tensions are read, or a strength
-        /// is set, take lambda = 1. With 1/2 &lt; lambda &lt; 1 they miss up to a third of the pull of hardly yielding
-        /// springs where nodes swing; with 1/2 those can be twice the mean just after a jolt. With lambda &lt; 1 a load
-        /// that is paid out by springs of infinite stiffness is let fall and caught by turns where dt^2 times gravity
-        /// is less than 5 tolerance * length: of 10 kg on 4 m of rope at dt = 1/960 s they are 6 N and 190 N, 98 N in
-        /// the mean; a smaller tolerance mends that. Errors: CD_ERROR_RANGE; CD_ERROR_UNSUPPORTED of a chain that is no
-        /// rope.</summary>
+        /// driven end which would stretch it. To tie a rope to a body of your own, give the last node its mass, in
+        /// CD_MASS; or drive an end of a rope of finite stiffness. Where tensions are read, or a strength is set, take
+        /// lambda = 1. With 1/2 &lt; lambda &lt; 1 they miss up to a third of the pull of hardly yielding springs where
+        /// nodes swing; with 1/2 those can be twice the mean just after a jolt. With lambda &lt; 1 a load paid out by
+        /// springs of infinite stiffness is let fall and caught by turns where dt^2 times gravity is less than 5
+        /// tolerance * length: of 10 kg on 4 m of rope at dt = 1/960 s they are 6 N and 190 N; a smaller tolerance
+        /// helps. Errors: CD_ERROR_RANGE; CD_ERROR_UNSUPPORTED of a chain that is no rope.</summary>
         public void GetReaction(long strand, long node, double[] outForce)
         {
             fixed (double* outForcePointer = outForce)
@@ -1161,14 +1158,13 @@ namespace Contdyn
         /// their directions now (0 of a spring without length), and of the forces of the bend at the node and at the
         /// nodes beside it. After a step that ended short of its tolerance tensions are a guess, 0 or at most the sum
         /// of the forces of springs on each node in that step: a rope of fixed length has no tension that holds a
-        /// driven end which would stretch it. To tie a rope to a body of your own, give the last node the body's mass,
-        /// in CD_MASS; or drive the end, and give the rope a finite stiffness. Where tensions are read, or a strength
-        /// is set, take lambda = 1. With 1/2 &lt; lambda &lt; 1 they miss up to a third of the pull of hardly yielding
-        /// springs where nodes swing; with 1/2 those can be twice the mean just after a jolt. With lambda &lt; 1 a load
-        /// that is paid out by springs of infinite stiffness is let fall and caught by turns where dt^2 times gravity
-        /// is less than 5 tolerance * length: of 10 kg on 4 m of rope at dt = 1/960 s they are 6 N and 190 N, 98 N in
-        /// the mean; a smaller tolerance mends that. Errors: CD_ERROR_RANGE; CD_ERROR_UNSUPPORTED of a chain that is no
-        /// rope.</summary>
+        /// driven end which would stretch it. To tie a rope to a body of your own, give the last node its mass, in
+        /// CD_MASS; or drive an end of a rope of finite stiffness. Where tensions are read, or a strength is set, take
+        /// lambda = 1. With 1/2 &lt; lambda &lt; 1 they miss up to a third of the pull of hardly yielding springs where
+        /// nodes swing; with 1/2 those can be twice the mean just after a jolt. With lambda &lt; 1 a load paid out by
+        /// springs of infinite stiffness is let fall and caught by turns where dt^2 times gravity is less than 5
+        /// tolerance * length: of 10 kg on 4 m of rope at dt = 1/960 s they are 6 N and 190 N; a smaller tolerance
+        /// helps. Errors: CD_ERROR_RANGE; CD_ERROR_UNSUPPORTED of a chain that is no rope.</summary>
         public void GetReaction(long strand, long node, Span<double> outForce)
         {
             fixed (double* outForcePointer = &MemoryMarshal.GetReference(outForce))
@@ -1295,8 +1291,8 @@ namespace Contdyn
         }
 
         /// <summary>What the last call of cd_chain_step did with ropes: the most iterations that a step of a strand
-        /// took, and the largest error it ended with, as the tolerance counts it: INFINITY where that is no number. 0
-        /// and 0 without ropes. Each output may be null.</summary>
+        /// took, and the largest error it ended with, as the tolerance counts it, or INFINITY. 0 and 0 without ropes.
+        /// Each output may be null.</summary>
         public ChainConvergence GetConvergence()
         {
             UIntPtr outIterations;
@@ -1593,6 +1589,59 @@ namespace Contdyn
                 outFirst, outSecond, outVelocity, Native.Size(count, "cd_chain_get_collider", "count"), &outRadius,
                 &outFriction));
             return new ChainCollider((Shape)outShape, outRadius, outFriction);
+        }
+
+        /// <summary>Whether steps note what ropes do to colliders: 1, or 0, the default. Errors: CD_ERROR_VALUE;
+        /// CD_ERROR_MEMORY.</summary>
+        public bool Loads
+        {
+            get
+            {
+                int outLoads;
+                Check(Native.cd_chain_get_loads(Handle, &outLoads));
+                return outLoads != 0;
+            }
+            set
+            {
+                var loads = value;
+                Changed();
+                Check(Native.cd_chain_set_loads(Handle, loads ? 1 : 0));
+            }
+        }
+
+        /// <summary>What the nodes of all strands did to a collider, pushes and friction, in the last step, in the mean
+        /// over its time: 6 numbers, the force along x, y and z [N] and its moment about the origin [N m]; about a
+        /// point p it is less by p x force. Momentum of ropes changes by what all else gives, less this, but 0 is told
+        /// of a strand whose step ended short of its tolerance. What a node forgets of the speed at which it came out
+        /// of a collider is not given. A strand that sleeps bears as in its last step. 0 before a step. Part of the
+        /// state. Errors: CD_ERROR_RANGE for index, or if count is not 6; CD_ERROR_DISABLED unless cd_chain_set_loads
+        /// has asked for it.</summary>
+        public void GetColliderLoad(long index, double[] outLoad)
+        {
+            fixed (double* outLoadPointer = outLoad)
+                GetColliderLoadCore(index, outLoadPointer, Native.Length(outLoad));
+        }
+
+#if CONTDYN_SPANS
+        /// <summary>What the nodes of all strands did to a collider, pushes and friction, in the last step, in the mean
+        /// over its time: 6 numbers, the force along x, y and z [N] and its moment about the origin [N m]; about a
+        /// point p it is less by p x force. Momentum of ropes changes by what all else gives, less this, but 0 is told
+        /// of a strand whose step ended short of its tolerance. What a node forgets of the speed at which it came out
+        /// of a collider is not given. A strand that sleeps bears as in its last step. 0 before a step. Part of the
+        /// state. Errors: CD_ERROR_RANGE for index, or if count is not 6; CD_ERROR_DISABLED unless cd_chain_set_loads
+        /// has asked for it.</summary>
+        public void GetColliderLoad(long index, Span<double> outLoad)
+        {
+            fixed (double* outLoadPointer = &MemoryMarshal.GetReference(outLoad))
+                GetColliderLoadCore(index, outLoad.Length == 0 ? null : outLoadPointer, outLoad.Length);
+        }
+
+#endif
+        private void GetColliderLoadCore(long index, double* outLoad, long outLoadLength)
+        {
+            long count = Native.Count(outLoadLength, 1, "cd_chain_get_collider_load", "out_load");
+            Check(Native.cd_chain_get_collider_load(Handle, Native.Size(index, "cd_chain_get_collider_load", "index"),
+                outLoad, Native.Size(count, "cd_chain_get_collider_load", "count")));
         }
 
         /// <summary>How thick ropes are, as a radius [m] in [0, 1e60], default 0: nodes stay this far outside of
@@ -3474,6 +3523,52 @@ namespace Contdyn
             return new MembraneCollider((Shape)outShape, outRadius, outFriction);
         }
 
+        /// <summary>What cloth does to colliders, as cd_chain_get_collider_load says: what the momentum of each node
+        /// that meets one lacks, and of a part of the sheet that nothing holds that of all its nodes. So of free sheets
+        /// the sum is right whatever the effort; of held ones as right as the step's velocities are.</summary>
+        public bool Loads
+        {
+            get
+            {
+                int outLoads;
+                Check(Native.cd_membrane_get_loads(Handle, &outLoads));
+                return outLoads != 0;
+            }
+            set
+            {
+                var loads = value;
+                Changed();
+                Check(Native.cd_membrane_set_loads(Handle, loads ? 1 : 0));
+            }
+        }
+
+        /// <summary>What cloth does to colliders, as cd_chain_get_collider_load says: what the momentum of each node
+        /// that meets one lacks, and of a part of the sheet that nothing holds that of all its nodes. So of free sheets
+        /// the sum is right whatever the effort; of held ones as right as the step's velocities are.</summary>
+        public void GetColliderLoad(long index, double[] outLoad)
+        {
+            fixed (double* outLoadPointer = outLoad)
+                GetColliderLoadCore(index, outLoadPointer, Native.Length(outLoad));
+        }
+
+#if CONTDYN_SPANS
+        /// <summary>What cloth does to colliders, as cd_chain_get_collider_load says: what the momentum of each node
+        /// that meets one lacks, and of a part of the sheet that nothing holds that of all its nodes. So of free sheets
+        /// the sum is right whatever the effort; of held ones as right as the step's velocities are.</summary>
+        public void GetColliderLoad(long index, Span<double> outLoad)
+        {
+            fixed (double* outLoadPointer = &MemoryMarshal.GetReference(outLoad))
+                GetColliderLoadCore(index, outLoad.Length == 0 ? null : outLoadPointer, outLoad.Length);
+        }
+
+#endif
+        private void GetColliderLoadCore(long index, double* outLoad, long outLoadLength)
+        {
+            long count = Native.Count(outLoadLength, 1, "cd_membrane_get_collider_load", "out_load");
+            Check(Native.cd_membrane_get_collider_load(Handle, Native.Size(index, "cd_membrane_get_collider_load",
+                "index"), outLoad, Native.Size(count, "cd_membrane_get_collider_load", "count")));
+        }
+
         /// <summary>How thick cloth is, as a distance [m] in [0, 1e60], default 0, that nodes keep from
         /// colliders.</summary>
         public double Thickness
@@ -3992,7 +4087,7 @@ namespace Contdyn
         /// ring: u / (nu + 1), and for the normals the sheet goes on beyond its ends). normal_offset SIZE_MAX: no
         /// normals. Bytes between are left alone; any offset and stride will do, aligned or not, that keeps the
         /// vertices apart. Absent nodes get their vertex too, with a zero normal. Errors: CD_ERROR_RANGE if size is
-        /// less than nodes * stride, or an offset and its 12 bytes reach past stride, or the two overlap.</summary>
+        /// less than nodes * stride, or an offset and its 12 bytes reach past stride, or both overlap.</summary>
         public void WriteVertices<T>(T[] buffer, long stride, long positionOffset, long normalOffset) where T : struct
         {
             using (var bufferPinned = new Pinned<T>(buffer))
@@ -4008,7 +4103,7 @@ namespace Contdyn
         /// ring: u / (nu + 1), and for the normals the sheet goes on beyond its ends). normal_offset SIZE_MAX: no
         /// normals. Bytes between are left alone; any offset and stride will do, aligned or not, that keeps the
         /// vertices apart. Absent nodes get their vertex too, with a zero normal. Errors: CD_ERROR_RANGE if size is
-        /// less than nodes * stride, or an offset and its 12 bytes reach past stride, or the two overlap.</summary>
+        /// less than nodes * stride, or an offset and its 12 bytes reach past stride, or both overlap.</summary>
         public void WriteVertices(Span<byte> buffer, long stride, long positionOffset, long normalOffset)
         {
             fixed (byte* bufferPointer = &MemoryMarshal.GetReference(buffer))

@@ -222,6 +222,16 @@ namespace Contdyn
             double* outFriction);
 
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int cd_chain_set_loads(ChainHandle chain, int loads);
+
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int cd_chain_get_loads(ChainHandle chain, int* outLoads);
+
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int cd_chain_get_collider_load(ChainHandle chain, UIntPtr index, double* outLoad,
+            UIntPtr count);
+
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
         internal static extern int cd_chain_set_thickness(ChainHandle chain, double radius);
 
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
@@ -533,6 +543,16 @@ namespace Contdyn
         internal static extern int cd_membrane_get_collider(MembraneHandle membrane, UIntPtr index, int* outShape,
             double* outFirst, double* outSecond, double* outVelocity, UIntPtr count, double* outRadius,
             double* outFriction);
+
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int cd_membrane_set_loads(MembraneHandle membrane, int loads);
+
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int cd_membrane_get_loads(MembraneHandle membrane, int* outLoads);
+
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int cd_membrane_get_collider_load(MembraneHandle membrane, UIntPtr index,
+            double* outLoad, UIntPtr count);
 
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
         internal static extern int cd_membrane_set_thickness(MembraneHandle membrane, double distance);

@@ -44,11 +44,13 @@ static class Functions
         {
             o.RestLength = 1;
             o.Colliders = 1;
+            o.Loads = true;
         }, o => o.Save());
         Sweep(EveryFunction.MembraneCalls, EveryFunction.MakeMembrane, o =>
         {
             o.SetRestLength(1, 1);
             o.Colliders = 1;
+            o.Loads = true;
         }, o => o.Save());
         Sweep(EveryFunction.WaterCalls, EveryFunction.MakeWater, o =>
         {

@@ -106,6 +106,9 @@ cd_status cd_chain_remove_collider(cd_chain* chain, size_t index);
 cd_status cd_chain_set_collider_velocity(cd_chain* chain, size_t index, const double* velocity, size_t count);
 cd_status cd_chain_get_collider(const cd_chain* chain, size_t index, cd_shape* out_shape, double* out_first,
     double* out_second, double* out_velocity, size_t count, double* out_radius, double* out_friction);
+cd_status cd_chain_set_loads(cd_chain* chain, int32_t loads);
+cd_status cd_chain_get_loads(const cd_chain* chain, int32_t* out_loads);
+cd_status cd_chain_get_collider_load(const cd_chain* chain, size_t index, double* out_load, size_t count);
 cd_status cd_chain_set_thickness(cd_chain* chain, double radius);
 cd_status cd_chain_get_thickness(const cd_chain* chain, double* out_radius);
 cd_status cd_chain_enable_field(cd_chain* chain, cd_field field);
@@ -218,6 +221,9 @@ cd_status cd_membrane_remove_collider(cd_membrane* membrane, size_t index);
 cd_status cd_membrane_set_collider_velocity(cd_membrane* membrane, size_t index, const double* velocity, size_t count);
 cd_status cd_membrane_get_collider(const cd_membrane* membrane, size_t index, cd_shape* out_shape, double* out_first,
     double* out_second, double* out_velocity, size_t count, double* out_radius, double* out_friction);
+cd_status cd_membrane_set_loads(cd_membrane* membrane, int32_t loads);
+cd_status cd_membrane_get_loads(const cd_membrane* membrane, int32_t* out_loads);
+cd_status cd_membrane_get_collider_load(const cd_membrane* membrane, size_t index, double* out_load, size_t count);
 cd_status cd_membrane_set_thickness(cd_membrane* membrane, double distance);
 cd_status cd_membrane_get_thickness(const cd_membrane* membrane, double* out_distance);
 cd_status cd_membrane_enable_field(cd_membrane* membrane, cd_field field);
@@ -821,8 +827,7 @@ function Chain:get_lambda()
   return tonumber(out_lambda[0])
 end
 
--- Spreads the strands of a step over the caller's threads. Null turns it off. Errors: CD_ERROR_NULL for a table without
--- run.
+-- Spreads the strands of a step over the caller's threads. Null: none. Errors: CD_ERROR_NULL for a table without run.
 function Chain:set_parallel(parallel)
   local where = "cd_chain_set_parallel"
   self._version = self._version + 1
@@ -1035,8 +1040,7 @@ end
 -- speed 0, the default: nothing sleeps, and seconds means nothing and is 0. A plane or capsule that moves wakes what it
 -- could touch in the next step; a bed that moves, or a callback, keeps all awake. What changes a strand wakes it, with
 -- whatever numbers: a write, an impulse, a teleport, an attachment, a cut; what is set wakes all, but for the hook, the
--- kernels and the tolerance. Who sleeps is part of the state, and the same whatever hook and kernels. Errors:
--- CD_ERROR_VALUE; CD_ERROR_MEMORY.
+-- kernels and the tolerance. Who sleeps is part of the state. Errors: CD_ERROR_VALUE; CD_ERROR_MEMORY.
 function Chain:set_sleep(speed, seconds)
   local where = "cd_chain_set_sleep"
   speed = number_in(speed, where, "speed")
@@ -1052,8 +1056,7 @@ end
 -- speed 0, the default: nothing sleeps, and seconds means nothing and is 0. A plane or capsule that moves wakes what it
 -- could touch in the next step; a bed that moves, or a callback, keeps all awake. What changes a strand wakes it, with
 -- whatever numbers: a write, an impulse, a teleport, an attachment, a cut; what is set wakes all, but for the hook, the
--- kernels and the tolerance. Who sleeps is part of the state, and the same whatever hook and kernels. Errors:
--- CD_ERROR_VALUE; CD_ERROR_MEMORY.
+-- kernels and the tolerance. Who sleeps is part of the state. Errors: CD_ERROR_VALUE; CD_ERROR_MEMORY.
 function Chain:get_sleep()
   local where = "cd_chain_get_sleep"
   local out_speed = double_1()
@@ -1126,8 +1129,7 @@ end
 
 -- Whether springs with a length push when shorter (1) or are slack (0, the default). Links that push are solved by
 -- Newton's method alone, which may fail from a crumpled start, or where hardly any bend holds them at long steps: of
--- the first 15 steps of 20 or 50 links laid at random one in 700. Such a step moves less than it should. Errors:
--- CD_ERROR_VALUE.
+-- the first 15 steps of 20 or 50 links laid at random one in 700, which moves too little. Errors: CD_ERROR_VALUE.
 function Chain:set_push(push)
   local where = "cd_chain_set_push"
   push = flag_in(push, where, "push")
@@ -1137,8 +1139,7 @@ end
 
 -- Whether springs with a length push when shorter (1) or are slack (0, the default). Links that push are solved by
 -- Newton's method alone, which may fail from a crumpled start, or where hardly any bend holds them at long steps: of
--- the first 15 steps of 20 or 50 links laid at random one in 700. Such a step moves less than it should. Errors:
--- CD_ERROR_VALUE.
+-- the first 15 steps of 20 or 50 links laid at random one in 700, which moves too little. Errors: CD_ERROR_VALUE.
 function Chain:get_push()
   local where = "cd_chain_get_push"
   local out_push = int32_t_1()
@@ -1187,12 +1188,12 @@ end
 -- of a spring without length), and of the forces of the bend at the node and at the nodes beside it. After a step that
 -- ended short of its tolerance tensions are a guess, 0 or at most the sum of the forces of springs on each node in that
 -- step: a rope of fixed length has no tension that holds a driven end which would stretch it. To tie a rope to a body
--- of your own, give the last node the body's mass, in CD_MASS; or drive the end, and give the rope a finite stiffness.
--- Where tensions are read, or a strength is set, take lambda = 1. With 1/2 < lambda < 1 they miss up to a third of the
--- pull of hardly yielding springs where nodes swing; with 1/2 those can be twice the mean just after a jolt. With
--- lambda < 1 a load that is paid out by springs of infinite stiffness is let fall and caught by turns where dt^2 times
--- gravity is less than 5 tolerance * length: of 10 kg on 4 m of rope at dt = 1/960 s they are 6 N and 190 N, 98 N in
--- the mean; a smaller tolerance mends that. Errors: CD_ERROR_RANGE; CD_ERROR_UNSUPPORTED of a chain that is no rope.
+-- of your own, give the last node its mass, in CD_MASS; or drive an end of a rope of finite stiffness. Where tensions
+-- are read, or a strength is set, take lambda = 1. With 1/2 < lambda < 1 they miss up to a third of the pull of hardly
+-- yielding springs where nodes swing; with 1/2 those can be twice the mean just after a jolt. With lambda < 1 a load
+-- paid out by springs of infinite stiffness is let fall and caught by turns where dt^2 times gravity is less than 5
+-- tolerance * length: of 10 kg on 4 m of rope at dt = 1/960 s they are 6 N and 190 N; a smaller tolerance helps.
+-- Errors: CD_ERROR_RANGE; CD_ERROR_UNSUPPORTED of a chain that is no rope.
 function Chain:get_reaction(strand, node, out_force)
   local where = "cd_chain_get_reaction"
   strand = integer_in(strand, where, "strand")
@@ -1282,8 +1283,7 @@ function Chain:get_tolerance()
 end
 
 -- What the last call of cd_chain_step did with ropes: the most iterations that a step of a strand took, and the largest
--- error it ended with, as the tolerance counts it: INFINITY where that is no number. 0 and 0 without ropes. Each output
--- may be null.
+-- error it ended with, as the tolerance counts it, or INFINITY. 0 and 0 without ropes. Each output may be null.
 function Chain:get_convergence()
   local where = "cd_chain_get_convergence"
   local out_iterations = size_t_1()
@@ -1439,6 +1439,37 @@ function Chain:get_collider(index, out_first, out_second, out_velocity)
   return enum_out("cd_shape", out_shape[0]), array_result(out_first, p_out_first, n_out_first),
       array_result(out_second, p_out_second, n_out_second), array_result(out_velocity, p_out_velocity, n_out_velocity),
       tonumber(out_radius[0]), tonumber(out_friction[0])
+end
+
+-- Whether steps note what ropes do to colliders: 1, or 0, the default. Errors: CD_ERROR_VALUE; CD_ERROR_MEMORY.
+function Chain:set_loads(loads)
+  local where = "cd_chain_set_loads"
+  loads = flag_in(loads, where, "loads")
+  self._version = self._version + 1
+  check(lib.cd_chain_set_loads(handle_of(self), loads))
+end
+
+-- Whether steps note what ropes do to colliders: 1, or 0, the default. Errors: CD_ERROR_VALUE; CD_ERROR_MEMORY.
+function Chain:get_loads()
+  local where = "cd_chain_get_loads"
+  local out_loads = int32_t_1()
+  check(lib.cd_chain_get_loads(handle_of(self), out_loads))
+  return out_loads[0] ~= 0
+end
+
+-- What the nodes of all strands did to a collider, pushes and friction, in the last step, in the mean over its time: 6
+-- numbers, the force along x, y and z [N] and its moment about the origin [N m]; about a point p it is less by p x
+-- force. Momentum of ropes changes by what all else gives, less this, but 0 is told of a strand whose step ended short
+-- of its tolerance. What a node forgets of the speed at which it came out of a collider is not given. A strand that
+-- sleeps bears as in its last step. 0 before a step. Part of the state. Errors: CD_ERROR_RANGE for index, or if count
+-- is not 6; CD_ERROR_DISABLED unless cd_chain_set_loads has asked for it.
+function Chain:get_collider_load(index, out_load)
+  local where = "cd_chain_get_collider_load"
+  index = integer_in(index, where, "index")
+  local p_out_load, n_out_load = array_out("double", out_load, 6, where, "out_load")
+  local count = n_out_load or 0
+  check(lib.cd_chain_get_collider_load(handle_of(self), index, p_out_load, count))
+  return array_result(out_load, p_out_load, n_out_load)
 end
 
 -- How thick ropes are, as a radius [m] in [0, 1e60], default 0: nodes stay this far outside of colliders.
@@ -2662,6 +2693,38 @@ function Membrane:get_collider(index, out_first, out_second, out_velocity)
       tonumber(out_radius[0]), tonumber(out_friction[0])
 end
 
+-- What cloth does to colliders, as cd_chain_get_collider_load says: what the momentum of each node that meets one
+-- lacks, and of a part of the sheet that nothing holds that of all its nodes. So of free sheets the sum is right
+-- whatever the effort; of held ones as right as the step's velocities are.
+function Membrane:set_loads(loads)
+  local where = "cd_membrane_set_loads"
+  loads = flag_in(loads, where, "loads")
+  self._version = self._version + 1
+  check(lib.cd_membrane_set_loads(handle_of(self), loads))
+end
+
+-- What cloth does to colliders, as cd_chain_get_collider_load says: what the momentum of each node that meets one
+-- lacks, and of a part of the sheet that nothing holds that of all its nodes. So of free sheets the sum is right
+-- whatever the effort; of held ones as right as the step's velocities are.
+function Membrane:get_loads()
+  local where = "cd_membrane_get_loads"
+  local out_loads = int32_t_1()
+  check(lib.cd_membrane_get_loads(handle_of(self), out_loads))
+  return out_loads[0] ~= 0
+end
+
+-- What cloth does to colliders, as cd_chain_get_collider_load says: what the momentum of each node that meets one
+-- lacks, and of a part of the sheet that nothing holds that of all its nodes. So of free sheets the sum is right
+-- whatever the effort; of held ones as right as the step's velocities are.
+function Membrane:get_collider_load(index, out_load)
+  local where = "cd_membrane_get_collider_load"
+  index = integer_in(index, where, "index")
+  local p_out_load, n_out_load = array_out("double", out_load, 6, where, "out_load")
+  local count = n_out_load or 0
+  check(lib.cd_membrane_get_collider_load(handle_of(self), index, p_out_load, count))
+  return array_result(out_load, p_out_load, n_out_load)
+end
+
 -- How thick cloth is, as a distance [m] in [0, 1e60], default 0, that nodes keep from colliders.
 function Membrane:set_thickness(distance)
   local where = "cd_membrane_set_thickness"
@@ -2995,8 +3058,7 @@ end
 -- u / nu, y = v / nv (a direction without a spring: 0; a ring: u / (nu + 1), and for the normals the sheet goes on
 -- beyond its ends). normal_offset SIZE_MAX: no normals. Bytes between are left alone; any offset and stride will do,
 -- aligned or not, that keeps the vertices apart. Absent nodes get their vertex too, with a zero normal. Errors:
--- CD_ERROR_RANGE if size is less than nodes * stride, or an offset and its 12 bytes reach past stride, or the two
--- overlap.
+-- CD_ERROR_RANGE if size is less than nodes * stride, or an offset and its 12 bytes reach past stride, or both overlap.
 function Membrane:write_vertices(buffer, stride, position_offset, normal_offset)
   local where = "cd_membrane_write_vertices"
   local p_buffer, n_buffer = bytes_out(buffer, nil, where, "buffer")

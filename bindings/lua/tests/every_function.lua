@@ -209,6 +209,17 @@ return {
     {name = "cd_chain_get_collider", call = function(o, other, saved)
       return o:get_collider(0, nil, nil, nil)
     end},
+    {name = "cd_chain_set_loads", call = function(o, other, saved)
+      return o:set_loads(true)
+    end, told = function(o)
+      return {o:get_loads()}, {true}
+    end},
+    {name = "cd_chain_get_loads", call = function(o, other, saved)
+      return o:get_loads()
+    end},
+    {name = "cd_chain_get_collider_load", call = function(o, other, saved)
+      return o:get_collider_load(0, nil)
+    end},
     {name = "cd_chain_set_thickness", call = function(o, other, saved)
       return o:set_thickness(1)
     end, told = function(o)
@@ -535,6 +546,17 @@ return {
     end},
     {name = "cd_membrane_get_collider", call = function(o, other, saved)
       return o:get_collider(0, nil, nil, nil)
+    end},
+    {name = "cd_membrane_set_loads", call = function(o, other, saved)
+      return o:set_loads(true)
+    end, told = function(o)
+      return {o:get_loads()}, {true}
+    end},
+    {name = "cd_membrane_get_loads", call = function(o, other, saved)
+      return o:get_loads()
+    end},
+    {name = "cd_membrane_get_collider_load", call = function(o, other, saved)
+      return o:get_collider_load(0, nil)
     end},
     {name = "cd_membrane_set_thickness", call = function(o, other, saved)
       return o:set_thickness(1)

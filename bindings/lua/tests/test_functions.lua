@@ -7,6 +7,7 @@ local function make(kind, long)
   if long and made.set_rest_length then
     if kind.class == "Membrane" then made:set_rest_length(1, 1) else made:set_rest_length(1) end
     made:set_colliders(1)
+    made:set_loads(true)
   end
   if long and made.set_hulls then made:set_hulls(1, 1, 1); made:set_disc(0, 1, 1) end
   return made

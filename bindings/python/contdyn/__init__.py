@@ -21,7 +21,7 @@ from . import _library
 from ._api import (BedRule, Border, Edge, End, Field, Kernels, Kind, MassRule, Method, Momentum, Node, Outside,
                    Precision, Shape, Side, Solver, Status)
 from ._arrays import Array, View
-from ._body import Attachment, Collider, Convergence, Energy, Resistance, Sleep, Tolerance
+from ._body import Attachment, Collider, Convergence, Energy, Load, Resistance, Sleep, Tolerance
 from ._callbacks import Allocator, Distance, Parallel, Task
 from ._sheet import Vertices
 from .chain import Chain, ChainShape
@@ -36,7 +36,7 @@ __all__ = [
     "Account", "Allocator", "Array", "Attachment", "BedRule", "Border", "CallbackError", "Chain", "ChainShape",
     "Collider", "Convergence", "DisabledError", "Distance", "DivergedError", "Edge", "Effort", "End", "Energy", "Error",
     "Field", "FormatError", "HandleError", "Hull", "HullDrag", "HullPose", "HullWays", "Hulls", "InvalidEnumError",
-    "InvalidValueError", "Kernels", "Kind", "Limited", "MassRule", "Membrane", "MembraneShape", "Method",
+    "InvalidValueError", "Kernels", "Kind", "Limited", "Load", "MassRule", "Membrane", "MembraneShape", "Method",
     "MismatchError", "Momentum", "Node", "NullError", "OutOfMemoryError", "Outside", "Parallel", "Precision",
     "RangeError", "Resistance", "RestLength", "Ring", "Sample", "SavedShape", "Shape", "Side", "SideState", "SizeError",
     "Sleep", "Solver", "Status", "Stiffness", "Task", "Tolerance", "ToleranceError", "UnsupportedError", "Vertices",

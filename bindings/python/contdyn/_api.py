@@ -453,6 +453,9 @@ FUNCTIONS: Dict[str, str] = {
     "cd_chain_set_collider_velocity": "status: chain handle, index size, velocity pointer, count size",
     "cd_chain_get_collider": ("status: chain handle, index size, out_shape int*, out_first pointer, out_second "
                               "pointer, out_velocity pointer, count size, out_radius double*, out_friction double*"),
+    "cd_chain_set_loads": "status: chain handle, loads int",
+    "cd_chain_get_loads": "status: chain handle, out_loads int*",
+    "cd_chain_get_collider_load": "status: chain handle, index size, out_load pointer, count size",
     "cd_chain_set_thickness": "status: chain handle, radius double",
     "cd_chain_get_thickness": "status: chain handle, out_radius double*",
     "cd_chain_enable_field": "status: chain handle, field int",
@@ -565,6 +568,9 @@ FUNCTIONS: Dict[str, str] = {
     "cd_membrane_set_collider_velocity": "status: membrane handle, index size, velocity pointer, count size",
     "cd_membrane_get_collider": ("status: membrane handle, index size, out_shape int*, out_first pointer, out_second "
                                  "pointer, out_velocity pointer, count size, out_radius double*, out_friction double*"),
+    "cd_membrane_set_loads": "status: membrane handle, loads int",
+    "cd_membrane_get_loads": "status: membrane handle, out_loads int*",
+    "cd_membrane_get_collider_load": "status: membrane handle, index size, out_load pointer, count size",
     "cd_membrane_set_thickness": "status: membrane handle, distance double",
     "cd_membrane_get_thickness": "status: membrane handle, out_distance double*",
     "cd_membrane_enable_field": "status: membrane handle, field int",

@@ -36,6 +36,15 @@ class Resistance(NamedTuple):
     across: float
 
 
+class Load(NamedTuple):
+    """What a collider bears, in the mean over a step."""
+
+    #: along x, y and z [N]
+    force: Tuple[float, ...]
+    #: about the origin [N m]; about a point p it is less by p x force
+    moment: Tuple[float, ...]
+
+
 class Sleep(NamedTuple):
     """When a body has come to rest: once it has been slower than a speed [m/s] for some seconds."""
 
@@ -110,6 +119,7 @@ class Body(Object):
                              "set_plane and set_capsule.")
     thickness = Setting(float, "How thick a rope or cloth is, as the distance [m] that its nodes keep from colliders; "
                                "default 0.")
+    loads = Setting(bool, "Whether steps note what they do to each collider, for get_collider_load; default False.")
 
     def set_plane(self, index: int, point: Values, normal: Values, friction: float = 0) -> None:
         """Makes a collider the half space behind the plane through point [m] that normal points out of."""
@@ -179,6 +189,12 @@ class Body(Object):
         self._call("get_collider", index, byref(shape), first, second, velocity, self._components, byref(radius),
                    byref(friction))
         return Collider(Shape(shape.value), tuple(first), tuple(second), tuple(velocity), radius.value, friction.value)
+
+    def get_collider_load(self, index: int) -> Load:
+        """What the nodes did to a collider in the last step, pushes and friction: where loads is True."""
+        load = (c_double * 6)()
+        self._call("get_collider_load", index, load, len(load))
+        return Load(tuple(load[:3]), tuple(load[3:]))
 
     def _attach(self, node: Tuple[int, ...], stiffness: float, damping: float, target: Optional[Values]) -> None:
         if target is None:

@@ -17,7 +17,7 @@ ARGUMENTS = {
     "add_source": (0, 0, 1, 1), "add_source_rectangle": (0, 0, 1, 1, 1), "splash": (0, 0, 1, 1), "load": (b"",),
     "set_plane": (0, [0] * 3, [0] * 3), "set_capsule": (0, [0] * 3, [0] * 3, 1), "remove_collider": (0,),
     "set_bed": (0, [0] * 3, 2, 2, 1, 1, [0] * 4), "get_bed": (0,), "set_callback": (0, max, [0] * 3),
-    "get_collider": (0,), "set_collider_velocity": (0, [0] * 3),
+    "get_collider": (0,), "get_collider_load": (0,), "set_collider_velocity": (0, [0] * 3),
     "set_hull": (0, 1, 1, 1), "set_disc": (0, 1, 0.5), "get_hull": (0,), "remove_hull": (0,), "launch_hull": (0, 0, 0),
     "set_hull_pose": (0, [0, 0, 0, 1, 0, 0, 0]), "get_hull_pose": (0,), "get_hull_floor": (0,),
     "set_hull_velocity": (0, [0] * 6), "get_hull_velocity": (0,), "set_hull_force": (0, [0] * 6),

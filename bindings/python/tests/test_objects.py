@@ -25,11 +25,11 @@ class Everyone(unittest.TestCase):
         own = {
             Chain: {**body, "stiffness": 3.0, "ring": True, "rest_length": 2.0, "push": True, "tolerance": (1e-4, 7),
                     "air": (0.5, 2.0), "wind": (1.0, -2.0, 3.0), "strength": 5.0, "colliders": 3,
-                    "thickness": 0.25, "rest_angle": -2.5},
+                    "thickness": 0.25, "loads": True, "rest_angle": -2.5},
             Membrane: {**body, "stiffness": (3.0, 4.0), "ring": (True, False), "solver": Solver.COUPLED,
                        "tolerance": (1e-4, 7), "pressure": 0.5, "rest_length": (2.0, 3.0), "shear": 100.0,
                        "compression": 3.25, "effort": (3, 20), "air": (0.5, 2.0), "wind": (1.0, -2.0, 3.0),
-                       "colliders": 3, "thickness": 0.25, "breaking_strain": 0.5},
+                       "colliders": 3, "thickness": 0.25, "loads": True, "breaking_strain": 0.5},
             Water: {"momentum": Momentum.ADVECTED, "first": 1, "gravity": 1.5, "density": 900.0, "manning": 0.03,
                     "bed_rule": BedRule.KEEPS_SURFACE, "sleep": 0.125},
         }
@@ -39,7 +39,7 @@ class Everyone(unittest.TestCase):
                     made = make(kind)
                     if name == "rest_angle":
                         made = Chain(2, 5, 2)
-                    if name in ("rest_angle", "air", "wind", "strength", "colliders", "thickness", "shear",
+                    if name in ("rest_angle", "air", "wind", "strength", "colliders", "thickness", "loads", "shear",
                                 "compression", "effort", "breaking_strain"):
                         lengthen(made)  # only ropes and cloth have it
                     self.assertNotEqual(getattr(made, name), value)
@@ -208,13 +208,16 @@ class Chains(unittest.TestCase):
         rope = Chain(1, 4, 3)
         rope.position = [[[i / 4, 0.5, 0] for i in range(5)]]
         rope.rest_length, rope.stiffness, rope.gravity = 1, math.inf, (0, -10, 0)
-        rope.colliders, rope.thickness = 2, 0.125
+        rope.colliders, rope.thickness, rope.loads = 2, 0.125, True
         rope.set_plane(0, (0, -1, 0), (0, 2, 0), 0.5)
         rope.set_capsule(1, (3, 0, 0), (4, 0, 0), 0.5)
         rope.set_collider_velocity(0, (0, 0, 0.25))
         rope.step(1 / 60, 120)
         for node in range(5):
             self.assertAlmostEqual(rope.position[0, node, 1], -0.875, 5)
+        force, moment = rope.get_collider_load(0)
+        close(self, force, (0, -10, 0), 6)  # its weight, in its middle
+        close(self, moment[2:], [-10 * sum(rope.position[0, :, 0]) / 5], 6)
         plane = rope.get_collider(0)
         self.assertEqual((plane.shape, plane.second, plane.friction), (Shape.PLANE, (0, 1, 0), 0.5))
         close(self, plane.first, (0, -1, 0.5))
@@ -458,7 +461,7 @@ class Membranes(unittest.TestCase):
         cloth = Membrane(4, 3, 3)
         cloth.position = [[[u / 4, 0.5, v / 4] for u in range(5)] for v in range(4)]
         cloth.rest_length, cloth.gravity = (1, 0.75), (0, -10, 0)
-        cloth.colliders, cloth.thickness = 2, 0.125
+        cloth.colliders, cloth.thickness, cloth.loads = 2, 0.125, True
         cloth.set_plane(0, (0, -1, 0), (0, 2, 0), 0.5)
         cloth.set_capsule(1, (3, 0, 0), (4, 0, 0), 0.5)
         cloth.set_collider_velocity(0, (0, 0, 0.25))
@@ -466,6 +469,7 @@ class Membranes(unittest.TestCase):
         for row in cloth.position.tolist():
             for node in row:
                 self.assertAlmostEqual(node[1], -0.875, 5)
+        self.assertLess(cloth.get_collider_load(0).force[1], 0)
         plane = cloth.get_collider(0)
         self.assertEqual((plane.shape, plane.second, plane.friction), (Shape.PLANE, (0, 1, 0), 0.5))
         close(self, plane.first, (0, -1, 0.5))

@@ -877,8 +877,8 @@ impl Chain {
         Ok(out_lambda)
     }
 
-    /// Spreads the strands of a step over the caller's threads. Null turns it off. Errors: CD_ERROR_NULL for a table
-    /// without run.
+    /// Spreads the strands of a step over the caller's threads. Null: none. Errors: CD_ERROR_NULL for a table without
+    /// run.
     ///
     /// # Safety
     /// The functions and `user` must be good for as long as the object may call them, from whichever threads
@@ -1049,8 +1049,8 @@ impl Chain {
     /// is thrown may stay in the air. speed 0, the default: nothing sleeps, and seconds means nothing and is 0. A plane
     /// or capsule that moves wakes what it could touch in the next step; a bed that moves, or a callback, keeps all
     /// awake. What changes a strand wakes it, with whatever numbers: a write, an impulse, a teleport, an attachment, a
-    /// cut; what is set wakes all, but for the hook, the kernels and the tolerance. Who sleeps is part of the state,
-    /// and the same whatever hook and kernels. Errors: CD_ERROR_VALUE; CD_ERROR_MEMORY.
+    /// cut; what is set wakes all, but for the hook, the kernels and the tolerance. Who sleeps is part of the state.
+    /// Errors: CD_ERROR_VALUE; CD_ERROR_MEMORY.
     pub fn set_sleep(&mut self, speed: f64, seconds: f64) -> Result<()> {
         check(unsafe { sys::cd_chain_set_sleep(self.as_ptr(), speed, seconds) })
     }
@@ -1062,8 +1062,8 @@ impl Chain {
     /// is thrown may stay in the air. speed 0, the default: nothing sleeps, and seconds means nothing and is 0. A plane
     /// or capsule that moves wakes what it could touch in the next step; a bed that moves, or a callback, keeps all
     /// awake. What changes a strand wakes it, with whatever numbers: a write, an impulse, a teleport, an attachment, a
-    /// cut; what is set wakes all, but for the hook, the kernels and the tolerance. Who sleeps is part of the state,
-    /// and the same whatever hook and kernels. Errors: CD_ERROR_VALUE; CD_ERROR_MEMORY.
+    /// cut; what is set wakes all, but for the hook, the kernels and the tolerance. Who sleeps is part of the state.
+    /// Errors: CD_ERROR_VALUE; CD_ERROR_MEMORY.
     pub fn get_sleep(&self) -> Result<ChainSleep> {
         let mut out_speed = 0.0;
         let mut out_seconds = 0.0;
@@ -1131,16 +1131,16 @@ impl Chain {
 
     /// Whether springs with a length push when shorter (1) or are slack (0, the default). Links that push are solved by
     /// Newton's method alone, which may fail from a crumpled start, or where hardly any bend holds them at long steps:
-    /// of the first 15 steps of 20 or 50 links laid at random one in 700. Such a step moves less than it should.
-    /// Errors: CD_ERROR_VALUE.
+    /// of the first 15 steps of 20 or 50 links laid at random one in 700, which moves too little. Errors:
+    /// CD_ERROR_VALUE.
     pub fn set_push(&mut self, push: bool) -> Result<()> {
         check(unsafe { sys::cd_chain_set_push(self.as_ptr(), i32::from(push)) })
     }
 
     /// Whether springs with a length push when shorter (1) or are slack (0, the default). Links that push are solved by
     /// Newton's method alone, which may fail from a crumpled start, or where hardly any bend holds them at long steps:
-    /// of the first 15 steps of 20 or 50 links laid at random one in 700. Such a step moves less than it should.
-    /// Errors: CD_ERROR_VALUE.
+    /// of the first 15 steps of 20 or 50 links laid at random one in 700, which moves too little. Errors:
+    /// CD_ERROR_VALUE.
     pub fn get_push(&self) -> Result<bool> {
         let mut out_push = 0;
         check(unsafe { sys::cd_chain_get_push(self.as_ptr(), &mut out_push) })?;
@@ -1185,13 +1185,13 @@ impl Chain {
     /// directions now (0 of a spring without length), and of the forces of the bend at the node and at the nodes beside
     /// it. After a step that ended short of its tolerance tensions are a guess, 0 or at most the sum of the forces of
     /// springs on each node in that step: a rope of fixed length has no tension that holds a driven end which would
-    /// stretch it. To tie a rope to a body of your own, give the last node the body's mass, in CD_MASS; or drive the
-    /// end, and give the rope a finite stiffness. Where tensions are read, or a strength is set, take lambda = 1. With
-    /// 1/2 \< lambda \< 1 they miss up to a third of the pull of hardly yielding springs where nodes swing; with 1/2
-    /// those can be twice the mean just after a jolt. With lambda \< 1 a load that is paid out by springs of infinite
-    /// stiffness is let fall and caught by turns where dt^2 times gravity is less than 5 tolerance \* length: of 10 kg
-    /// on 4 m of rope at dt = 1/960 s they are 6 N and 190 N, 98 N in the mean; a smaller tolerance mends that. Errors:
-    /// CD_ERROR_RANGE; CD_ERROR_UNSUPPORTED of a chain that is no rope.
+    /// stretch it. To tie a rope to a body of your own, give the last node its mass, in CD_MASS; or drive an end of a
+    /// rope of finite stiffness. Where tensions are read, or a strength is set, take lambda = 1. With 1/2 \< lambda \<
+    /// 1 they miss up to a third of the pull of hardly yielding springs where nodes swing; with 1/2 those can be twice
+    /// the mean just after a jolt. With lambda \< 1 a load paid out by springs of infinite stiffness is let fall and
+    /// caught by turns where dt^2 times gravity is less than 5 tolerance \* length: of 10 kg on 4 m of rope at dt =
+    /// 1/960 s they are 6 N and 190 N; a smaller tolerance helps. Errors: CD_ERROR_RANGE; CD_ERROR_UNSUPPORTED of a
+    /// chain that is no rope.
     pub fn get_reaction(&self, strand: usize, node: usize, out_force: &mut [f64]) -> Result<()> {
         let count = count_of(out_force.len(), 1, "cd_chain_get_reaction", "out_force")?;
         check(unsafe { sys::cd_chain_get_reaction(self.as_ptr(), strand, node, out_force.as_mut_ptr(), count) })
@@ -1266,8 +1266,8 @@ impl Chain {
     }
 
     /// What the last call of cd_chain_step did with ropes: the most iterations that a step of a strand took, and the
-    /// largest error it ended with, as the tolerance counts it: INFINITY where that is no number. 0 and 0 without
-    /// ropes. Each output may be null.
+    /// largest error it ended with, as the tolerance counts it, or INFINITY. 0 and 0 without ropes. Each output may be
+    /// null.
     pub fn get_convergence(&self) -> Result<ChainConvergence> {
         let mut out_iterations = 0;
         let mut out_residual = 0.0;
@@ -1402,6 +1402,29 @@ impl Chain {
             radius: out_radius,
             friction: out_friction,
         })
+    }
+
+    /// Whether steps note what ropes do to colliders: 1, or 0, the default. Errors: CD_ERROR_VALUE; CD_ERROR_MEMORY.
+    pub fn set_loads(&mut self, loads: bool) -> Result<()> {
+        check(unsafe { sys::cd_chain_set_loads(self.as_ptr(), i32::from(loads)) })
+    }
+
+    /// Whether steps note what ropes do to colliders: 1, or 0, the default. Errors: CD_ERROR_VALUE; CD_ERROR_MEMORY.
+    pub fn get_loads(&self) -> Result<bool> {
+        let mut out_loads = 0;
+        check(unsafe { sys::cd_chain_get_loads(self.as_ptr(), &mut out_loads) })?;
+        Ok(out_loads != 0)
+    }
+
+    /// What the nodes of all strands did to a collider, pushes and friction, in the last step, in the mean over its
+    /// time: 6 numbers, the force along x, y and z \[N\] and its moment about the origin \[N m\]; about a point p it is
+    /// less by p x force. Momentum of ropes changes by what all else gives, less this, but 0 is told of a strand whose
+    /// step ended short of its tolerance. What a node forgets of the speed at which it came out of a collider is not
+    /// given. A strand that sleeps bears as in its last step. 0 before a step. Part of the state. Errors:
+    /// CD_ERROR_RANGE for index, or if count is not 6; CD_ERROR_DISABLED unless cd_chain_set_loads has asked for it.
+    pub fn get_collider_load(&self, index: usize, out_load: &mut [f64]) -> Result<()> {
+        let count = count_of(out_load.len(), 1, "cd_chain_get_collider_load", "out_load")?;
+        check(unsafe { sys::cd_chain_get_collider_load(self.as_ptr(), index, out_load.as_mut_ptr(), count) })
     }
 
     /// How thick ropes are, as a radius \[m\] in \[0, 1e60\], default 0: nodes stay this far outside of colliders.
@@ -2665,6 +2688,30 @@ impl Membrane {
         })
     }
 
+    /// What cloth does to colliders, as cd_chain_get_collider_load says: what the momentum of each node that meets one
+    /// lacks, and of a part of the sheet that nothing holds that of all its nodes. So of free sheets the sum is right
+    /// whatever the effort; of held ones as right as the step's velocities are.
+    pub fn set_loads(&mut self, loads: bool) -> Result<()> {
+        check(unsafe { sys::cd_membrane_set_loads(self.as_ptr(), i32::from(loads)) })
+    }
+
+    /// What cloth does to colliders, as cd_chain_get_collider_load says: what the momentum of each node that meets one
+    /// lacks, and of a part of the sheet that nothing holds that of all its nodes. So of free sheets the sum is right
+    /// whatever the effort; of held ones as right as the step's velocities are.
+    pub fn get_loads(&self) -> Result<bool> {
+        let mut out_loads = 0;
+        check(unsafe { sys::cd_membrane_get_loads(self.as_ptr(), &mut out_loads) })?;
+        Ok(out_loads != 0)
+    }
+
+    /// What cloth does to colliders, as cd_chain_get_collider_load says: what the momentum of each node that meets one
+    /// lacks, and of a part of the sheet that nothing holds that of all its nodes. So of free sheets the sum is right
+    /// whatever the effort; of held ones as right as the step's velocities are.
+    pub fn get_collider_load(&self, index: usize, out_load: &mut [f64]) -> Result<()> {
+        let count = count_of(out_load.len(), 1, "cd_membrane_get_collider_load", "out_load")?;
+        check(unsafe { sys::cd_membrane_get_collider_load(self.as_ptr(), index, out_load.as_mut_ptr(), count) })
+    }
+
     /// How thick cloth is, as a distance \[m\] in \[0, 1e60\], default 0, that nodes keep from colliders.
     pub fn set_thickness(&mut self, distance: f64) -> Result<()> {
         check(unsafe { sys::cd_membrane_set_thickness(self.as_ptr(), distance) })
@@ -2925,7 +2972,7 @@ impl Membrane {
     /// 1), and for the normals the sheet goes on beyond its ends). normal_offset SIZE_MAX: no normals. Bytes between
     /// are left alone; any offset and stride will do, aligned or not, that keeps the vertices apart. Absent nodes get
     /// their vertex too, with a zero normal. Errors: CD_ERROR_RANGE if size is less than nodes \* stride, or an offset
-    /// and its 12 bytes reach past stride, or the two overlap.
+    /// and its 12 bytes reach past stride, or both overlap.
     pub fn write_vertices(&self, buffer: &mut [u8], stride: usize, position_offset: usize,
         normal_offset: usize) -> Result<()> {
         let size = buffer.len();

@@ -274,6 +274,10 @@ extern "C" {
     pub fn cd_chain_get_collider(chain: *const cd_chain, index: usize, out_shape: *mut cd_shape, out_first: *mut f64,
         out_second: *mut f64, out_velocity: *mut f64, count: usize, out_radius: *mut f64,
         out_friction: *mut f64) -> cd_status;
+    pub fn cd_chain_set_loads(chain: *mut cd_chain, loads: i32) -> cd_status;
+    pub fn cd_chain_get_loads(chain: *const cd_chain, out_loads: *mut i32) -> cd_status;
+    pub fn cd_chain_get_collider_load(chain: *const cd_chain, index: usize, out_load: *mut f64,
+        count: usize) -> cd_status;
     pub fn cd_chain_set_thickness(chain: *mut cd_chain, radius: f64) -> cd_status;
     pub fn cd_chain_get_thickness(chain: *const cd_chain, out_radius: *mut f64) -> cd_status;
     pub fn cd_chain_enable_field(chain: *mut cd_chain, field: cd_field) -> cd_status;
@@ -398,6 +402,10 @@ extern "C" {
     pub fn cd_membrane_get_collider(membrane: *const cd_membrane, index: usize, out_shape: *mut cd_shape,
         out_first: *mut f64, out_second: *mut f64, out_velocity: *mut f64, count: usize, out_radius: *mut f64,
         out_friction: *mut f64) -> cd_status;
+    pub fn cd_membrane_set_loads(membrane: *mut cd_membrane, loads: i32) -> cd_status;
+    pub fn cd_membrane_get_loads(membrane: *const cd_membrane, out_loads: *mut i32) -> cd_status;
+    pub fn cd_membrane_get_collider_load(membrane: *const cd_membrane, index: usize, out_load: *mut f64,
+        count: usize) -> cd_status;
     pub fn cd_membrane_set_thickness(membrane: *mut cd_membrane, distance: f64) -> cd_status;
     pub fn cd_membrane_get_thickness(membrane: *const cd_membrane, out_distance: *mut f64) -> cd_status;
     pub fn cd_membrane_enable_field(membrane: *mut cd_membrane, field: cd_field) -> cd_status;

@@ -677,6 +677,12 @@ public:
     }
     outcome<> set_thickness(double radius) { return call(cd_chain_set_thickness, radius); }
     outcome<double> get_thickness() const { return value<double>(cd_chain_get_thickness); }
+    // Whether steps note what they do to each collider: forces along x, y and z [N], and moments about the origin [N m].
+    outcome<> set_loads(bool loads) { return call(cd_chain_set_loads, loads); }
+    outcome<bool> get_loads() const { return value<bool>(cd_chain_get_loads); }
+    outcome<> get_collider_load(std::size_t index, span<double> load) const {
+        return call(cd_chain_get_collider_load, index, load.data(), load.size());
+    }
 
     // Resistance of the air per length of a rope [N s/m^2]; its velocity [m/s], velocity[component].
     outcome<> set_air(double along, double across) { return call(cd_chain_set_air, along, across); }
@@ -1077,6 +1083,12 @@ public:
     }
     outcome<> set_thickness(double distance) { return call(cd_membrane_set_thickness, distance); }
     outcome<double> get_thickness() const { return value<double>(cd_membrane_get_thickness); }
+    // Whether steps note what they do to each collider: forces along x, y and z [N], and moments about the origin [N m].
+    outcome<> set_loads(bool loads) { return call(cd_membrane_set_loads, loads); }
+    outcome<bool> get_loads() const { return value<bool>(cd_membrane_get_loads); }
+    outcome<> get_collider_load(std::size_t index, span<double> load) const {
+        return call(cd_membrane_get_collider_load, index, load.data(), load.size());
+    }
 
     // ---- fields ----
 

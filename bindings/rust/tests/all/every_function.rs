@@ -7,7 +7,7 @@ pub fn make_chain() -> Chain {
     Chain::new(2, 4, 2, Precision::Float64).unwrap()
 }
 
-pub const CHAIN: [Call<Chain>; 87] = [
+pub const CHAIN: [Call<Chain>; 90] = [
     Call {
         name: "cd_chain_get_shape",
         may_fail: false,
@@ -355,6 +355,24 @@ pub const CHAIN: [Call<Chain>; 87] = [
         told: |_| true,
     },
     Call {
+        name: "cd_chain_set_loads",
+        may_fail: false,
+        call: |o, _other, _saved| o.set_loads(true).map(drop),
+        told: |o| o.get_loads().unwrap(),
+    },
+    Call {
+        name: "cd_chain_get_loads",
+        may_fail: false,
+        call: |o, _other, _saved| o.get_loads().map(drop),
+        told: |_| true,
+    },
+    Call {
+        name: "cd_chain_get_collider_load",
+        may_fail: false,
+        call: |o, _other, _saved| o.get_collider_load(0, &mut [0.0; 6]).map(drop),
+        told: |_| true,
+    },
+    Call {
         name: "cd_chain_set_thickness",
         may_fail: false,
         call: |o, _other, _saved| o.set_thickness(1.0).map(drop),
@@ -546,7 +564,7 @@ pub fn make_membrane() -> Membrane {
     Membrane::new(4, 5, 3, Precision::Float64).unwrap()
 }
 
-pub const MEMBRANE: [Call<Membrane>; 96] = [
+pub const MEMBRANE: [Call<Membrane>; 99] = [
     Call {
         name: "cd_membrane_get_shape",
         may_fail: false,
@@ -939,6 +957,24 @@ pub const MEMBRANE: [Call<Membrane>; 96] = [
         may_fail: false,
         call: |o, _other, _saved| o.get_collider(0, Some(&mut [0.0; 3]), Some(&mut [0.0; 3]),
             Some(&mut [0.0; 3])).map(drop),
+        told: |_| true,
+    },
+    Call {
+        name: "cd_membrane_set_loads",
+        may_fail: false,
+        call: |o, _other, _saved| o.set_loads(true).map(drop),
+        told: |o| o.get_loads().unwrap(),
+    },
+    Call {
+        name: "cd_membrane_get_loads",
+        may_fail: false,
+        call: |o, _other, _saved| o.get_loads().map(drop),
+        told: |_| true,
+    },
+    Call {
+        name: "cd_membrane_get_collider_load",
+        may_fail: false,
+        call: |o, _other, _saved| o.get_collider_load(0, &mut [0.0; 6]).map(drop),
         told: |_| true,
     },
     Call {

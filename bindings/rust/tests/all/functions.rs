@@ -35,13 +35,15 @@ fn sweep<T>(calls: &[Call<T>], make: fn() -> T, lengthen: fn(&mut T), save: fn(&
 
 #[test]
 fn chains() {
-    let lengthen = |o: &mut Chain| o.set_rest_length(1.0).and_then(|_| o.set_colliders(1)).unwrap();
+    let lengthen = |o: &mut Chain| o.set_rest_length(1.0).and_then(|_| o.set_colliders(1)).and_then(|_| o.set_loads(true)).unwrap();
     sweep(&CHAIN, make_chain, lengthen, |o| o.save().unwrap());
 }
 
 #[test]
 fn membranes() {
-    let lengthen = |o: &mut Membrane| o.set_rest_length(1.0, 1.0).and_then(|_| o.set_colliders(1)).unwrap();
+    let lengthen = |o: &mut Membrane| {
+        o.set_rest_length(1.0, 1.0).and_then(|_| o.set_colliders(1)).and_then(|_| o.set_loads(true)).unwrap();
+    };
     sweep(&MEMBRANE, make_membrane, lengthen, |o| o.save().unwrap());
 }
 
