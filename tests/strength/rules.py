@@ -28,8 +28,7 @@ RULES = {
     "what runs dry keeps more than rounding": (
         "water/face.hh", "constexpr double kGives = 1 - 0x1p-40;", "constexpr double kGives = 1 - 0x1p-53;",
         ["physics_water_symmetry"]),
-    "a stream carries changes of depth along": (
-        "water/surface.hh", "k = theta * cells,", "k = 0.0 * cells,",
+    "a stream carries changes of depth along": ("water/surface.hh", "k = theta * cells,", "k = 0.0 * cells,",
         ["stability_water_currents"]),
     "the stream's acceleration counts in fluxes": (
         "water/surface.hh", "through = through + theta * stream;", "through = through + 0.0 * stream;",
@@ -57,8 +56,7 @@ RULES = {
     "and at shores": ("water/surface.hh", "select(shallower, uneven, mean)", "uneven", ["stability_water_energy"]),
     "advected only where a depth changes by half": (
         "water/velocity.hh", "constexpr double kRoughFace = 0.5;", "constexpr double kRoughFace = 0.05;", ["physics_water_dams"]),
-    "what pushes from outside does work": (
-        "water/velocity.hh", "return acceleration ? lift -", "return false ? lift -",
+    "what pushes from outside does work": ("water/velocity.hh", "return acceleration ? lift -", "return false ? lift -",
         ["physics_water_forces"]),
     "parts of half a cell": (
         "water/sweep.cpp", "constexpr double kPartRun = 0.5;", "constexpr double kPartRun = 1e9;", ["stability_water_currents"]),
@@ -137,8 +135,7 @@ RULES = {
         "water/velocity.hh", "larger(-most, smaller(most, u))", "u", ["physics_water_symmetry"]),
     "what rounding takes is handed on": (
         "water/sweep.cpp", "rest.owed = rest.owed + one.owed;", "(void)one;", ["physics_water_lake"]),
-    "whole steps count before a part of one": (
-        "../model/water_step.cpp", "((double(w.clock.counted) + done) + part)",
+    "whole steps count before a part of one": ("../model/water_step.cpp", "((double(w.clock.counted) + done) + part)",
         "(double(w.clock.counted) + (done + part))", ["determinism_water_parallel"]),
     "a ring of one line carries velocities across it": (
         "../model/water_step.cpp", "(w.cells[other(a)] > 1 || periodic(w, other(a)))", "w.cells[other(a)] > 1",
@@ -267,16 +264,14 @@ RULES = {
         "rope_bundle.hh", "ends_held(last, j) && !ends_held(0, j)", "false", ["physics_rope_air"]),
     "which begins from the common motion": ("rope_step.cpp", "    start_together();\n", "", ["stability_ropes"]),
     "with the force that held nodes bring": (
-        "rope_step.cpp", "driven = driven + select(held(i), root(dot(n.b, n.b)), L{});", "",
-        ["stability_ropes"]),
+        "rope_step.cpp", "driven = driven + select(held(i), root(dot(n.b, n.b)), L{});", "", ["stability_ropes"]),
     "and that long springs pull with": ("rope_step.cpp", " + each * sum(pulled);", ";", ["stability_ropes"]),
     "the best that was found is kept": (
         "rope_step.cpp", "    const L better = best - reached;", "    const L better = one();", ["stability_ropes", "api_rope"]),
     "with no more energy than nodes have alone": ("rope_step.cpp", "    calm();\n}", "}", ["stability_ropes"]),
     "held nodes move as they are told whatever goes wrong": (
         "rope_step.cpp", "part * opposite(held(i));", "part;", ["stability_ropes"]),
-    "no number, no solution": (
-        "rope_bundle.hh", "here.probe = 0.0 * missing;", "", ["api_rope"]),
+    "no number, no solution": ("rope_bundle.hh", "here.probe = 0.0 * missing;", "", ["api_rope"]),
     "springs at their length count as taut at first": (
         "rope_step.cpp", "k < kFirstIterations ? kAsLong * stage.tolerance : 0", "0", ["physics_rope"]),
     "but those that push": ("rope_bundle.hh", "opposite(s.pushed), shorter", "one(), shorter", ["physics_rope"]),
@@ -313,8 +308,7 @@ RULES = {
         "rope_contact.hh", "(1 / stage.dt) * inside - dot(c.normal, out)", "(1 / stage.dt) * inside", ["physics_rope_overlaps"]),
     "and what lies on an axis across it": (
         "rope_contact.hh", "    way_off_line(to.way, ropes.components, out);\n", "    out[0] = 1;\n", ["physics_rope_overlaps"]),
-    "nor is its strand": (
-        "rope_contact.hh", "if (!any_positive(lost)) return;", "return;", ["physics_rope_contact"]),
+    "nor is its strand": ("rope_contact.hh", "if (!any_positive(lost)) return;", "return;", ["physics_rope_contact"]),
     "what yields takes energy": (
         "rope_bundle.hh", "here.gained = here.gained - by_yielding(s, stretch);", "(void)0;", ["physics_rope"]),
     "the linear system of a spring that turns keeps its answer": (
@@ -327,8 +321,7 @@ RULES = {
         "rope_contact.hh", "leaving(i, c) + select(c.on, c.push / stiffness, L{})", "leaving(i, c)", ["physics_rope_contact"]),
     "Newton's method knows how friction depends on the slip": (
         "rope_contact.hh", "c.along = c.along * (one() - c.had), ", "", ["physics_rope_contact"]),
-    "and on the push": (
-        "rope_contact.hh", "c.follows = friction * slip / speed, ", "", ["physics_rope_contact"]),
+    "and on the push": ("rope_contact.hh", "c.follows = friction * slip / speed, ", "", ["physics_rope_contact"]),
     "about the friction that the last elimination had": (
         "rope_contact.hh", "select(was * (speed * most), share, law)", "law", ["physics_rope_contact"]),
     "what pushes lies at the surface": (
@@ -353,8 +346,7 @@ RULES = {
         "rope_contact.hh", "select(open, L{}, L::splat(1 / stage.dt) * per_lambda)", "L::splat(1 / stage.dt) * per_lambda", ["physics_rope_loads"]),
     "what a free sheet's nodes lack counts, whether they touch or not": (
         CLOTH_ACT, " + w.mass[at] / bears[part] * vector_at(missing, part)", "", ["physics_cloth_loads"]),
-    "but not a held one's": (
-        CLOTH_ACT, "bears[part] = HUGE_VAL;", "(void)0;", ["physics_cloth_loads"]),
+    "but not a held one's": (CLOTH_ACT, "bears[part] = HUGE_VAL;", "(void)0;", ["physics_cloth_loads"]),
     "a step of cloth ends where it has made no energy": (
         CLOTH_STEP, "        add(share, way, w.w);\n", "", ["stability_cloth"]),
     "with the momentum that a free sheet has": (
@@ -420,10 +412,8 @@ RULES = {
         "rope_step.cpp", "select(slack, L{}, positive(tension))", "positive(tension)", ["physics_rope_bend"]),
     "taut is what its tension would take to its length": (
         "rope_step.cpp", "s.length - give(i) * s.tension", "s.length", ["physics_rope"]),
-    "held nodes may be apart by what is rounded": (
-        "rope_step.cpp", "(over - rounded)", "over", ["physics_rope_bend"]),
-    "creases of beds are round": (
-        "collider.hh", "kRoundCrease = 0.25;", "kRoundCrease = 1e-9;", ["physics_bed"]),
+    "held nodes may be apart by what is rounded": ("rope_step.cpp", "(over - rounded)", "over", ["physics_rope_bend"]),
+    "creases of beds are round": ("collider.hh", "kRoundCrease = 0.25;", "kRoundCrease = 1e-9;", ["physics_bed"]),
     "a hollow is met at the plane that touches it": (
         "rope_contact.hh", "if (to.is_convex()) return look_at_gap", "if (!to.callback) return look_at_gap",
         ["physics_bed"]),
