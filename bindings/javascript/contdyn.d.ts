@@ -1810,8 +1810,7 @@ export class Membrane extends Handle {
    * on
    * beyond its ends). normalOffset null: no normals. Bytes between are left alone; any offset and stride will do,
    * aligned or not, that keeps the vertices apart. Absent nodes get their vertex too, with a zero normal.
-   * Errors: "errorRange" if size is less than nodes * stride, or an offset and its 12 bytes reach past stride, or both
-   * overlap.
+   * Errors: "errorRange" if size < nodes * stride, an offset and its 12 bytes reach past stride, or both overlap.
    */
   writeVertices(buffer: ArrayBuffer | ArrayBufferView, stride: number, positionOffset: number, normalOffset: number |
     null): void;

@@ -462,7 +462,7 @@ CD_API cd_status cd_membrane_hash(const cd_membrane* membrane, uint64_t* out_has
  * x = u / nu, y = v / nv (a direction without a spring: 0; a ring: u / (nu + 1), and for the normals the sheet goes on
  * beyond its ends). normal_offset SIZE_MAX: no normals. Bytes between are left alone; any offset and stride will do,
  * aligned or not, that keeps the vertices apart. Absent nodes get their vertex too, with a zero normal.
- * Errors: CD_ERROR_RANGE if size is less than nodes * stride, or an offset and its 12 bytes reach past stride, or both overlap. */
+ * Errors: CD_ERROR_RANGE if size < nodes * stride, an offset and its 12 bytes reach past stride, or both overlap. */
 CD_API cd_status cd_membrane_write_vertices(const cd_membrane* membrane, void* buffer, size_t size, size_t stride,
                                             size_t position_offset, size_t normal_offset);
 /* How many indices cd_membrane_write_indices writes now: 6 per cell of four nodes that are there, of cloth 0 if it is

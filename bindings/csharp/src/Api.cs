@@ -4086,8 +4086,8 @@ namespace Contdyn
         /// is drawn as the height z over the unit square, x = u / nu, y = v / nv (a direction without a spring: 0; a
         /// ring: u / (nu + 1), and for the normals the sheet goes on beyond its ends). normal_offset SIZE_MAX: no
         /// normals. Bytes between are left alone; any offset and stride will do, aligned or not, that keeps the
-        /// vertices apart. Absent nodes get their vertex too, with a zero normal. Errors: CD_ERROR_RANGE if size is
-        /// less than nodes * stride, or an offset and its 12 bytes reach past stride, or both overlap.</summary>
+        /// vertices apart. Absent nodes get their vertex too, with a zero normal. Errors: CD_ERROR_RANGE if size &lt;
+        /// nodes * stride, an offset and its 12 bytes reach past stride, or both overlap.</summary>
         public void WriteVertices<T>(T[] buffer, long stride, long positionOffset, long normalOffset) where T : struct
         {
             using (var bufferPinned = new Pinned<T>(buffer))
@@ -4102,8 +4102,8 @@ namespace Contdyn
         /// is drawn as the height z over the unit square, x = u / nu, y = v / nv (a direction without a spring: 0; a
         /// ring: u / (nu + 1), and for the normals the sheet goes on beyond its ends). normal_offset SIZE_MAX: no
         /// normals. Bytes between are left alone; any offset and stride will do, aligned or not, that keeps the
-        /// vertices apart. Absent nodes get their vertex too, with a zero normal. Errors: CD_ERROR_RANGE if size is
-        /// less than nodes * stride, or an offset and its 12 bytes reach past stride, or both overlap.</summary>
+        /// vertices apart. Absent nodes get their vertex too, with a zero normal. Errors: CD_ERROR_RANGE if size &lt;
+        /// nodes * stride, an offset and its 12 bytes reach past stride, or both overlap.</summary>
         public void WriteVertices(Span<byte> buffer, long stride, long positionOffset, long normalOffset)
         {
             fixed (byte* bufferPointer = &MemoryMarshal.GetReference(buffer))

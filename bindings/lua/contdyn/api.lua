@@ -3058,7 +3058,7 @@ end
 -- u / nu, y = v / nv (a direction without a spring: 0; a ring: u / (nu + 1), and for the normals the sheet goes on
 -- beyond its ends). normal_offset SIZE_MAX: no normals. Bytes between are left alone; any offset and stride will do,
 -- aligned or not, that keeps the vertices apart. Absent nodes get their vertex too, with a zero normal. Errors:
--- CD_ERROR_RANGE if size is less than nodes * stride, or an offset and its 12 bytes reach past stride, or both overlap.
+-- CD_ERROR_RANGE if size < nodes * stride, an offset and its 12 bytes reach past stride, or both overlap.
 function Membrane:write_vertices(buffer, stride, position_offset, normal_offset)
   local where = "cd_membrane_write_vertices"
   local p_buffer, n_buffer = bytes_out(buffer, nil, where, "buffer")

@@ -2971,8 +2971,8 @@ impl Membrane {
     /// the height z over the unit square, x = u / nu, y = v / nv (a direction without a spring: 0; a ring: u / (nu +
     /// 1), and for the normals the sheet goes on beyond its ends). normal_offset SIZE_MAX: no normals. Bytes between
     /// are left alone; any offset and stride will do, aligned or not, that keeps the vertices apart. Absent nodes get
-    /// their vertex too, with a zero normal. Errors: CD_ERROR_RANGE if size is less than nodes \* stride, or an offset
-    /// and its 12 bytes reach past stride, or both overlap.
+    /// their vertex too, with a zero normal. Errors: CD_ERROR_RANGE if size \< nodes \* stride, an offset and its 12
+    /// bytes reach past stride, or both overlap.
     pub fn write_vertices(&self, buffer: &mut [u8], stride: usize, position_offset: usize,
         normal_offset: usize) -> Result<()> {
         let size = buffer.len();
