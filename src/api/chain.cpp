@@ -151,7 +151,7 @@ cd_status cd_chain_set_push(cd_chain* chain, int32_t push) {
 
 cd_status cd_chain_set_rest_angle(cd_chain* chain, double angle) {
     CD_OPEN(chain, c);
-    CD_CHECK(in_range(__func__, "angle", angle, -most_angle(c), most_angle(c)));
+    CD_CHECK(in_range(__func__, "angle", angle, 0 - most_angle(c), most_angle(c))); // not -0
     CD_CHECK(angle != 0 ? can_curl(__func__, c) : is_rope(__func__, c, "only ropes have rest angles"));
     Features wanted = features(c);
     wanted.angle = angle != 0;
