@@ -559,7 +559,7 @@ export class Chain extends Handle {
   getColliderLoad(index) {
     const address = addressOf(this, Chain);
     begin();
-    const countOf = componentsOf(this);
+    const countOf = 6;
     const loadAt = take(Float64Array.BYTES_PER_ELEMENT * countOf);
     check(wasm.cd_chain_get_collider_load(address, size(index, "index"), loadAt, countOf));
     return got(loadAt, Float64Array, countOf);
@@ -1190,7 +1190,7 @@ export class Membrane extends Handle {
   getColliderLoad(index) {
     const address = addressOf(this, Membrane);
     begin();
-    const countOf = componentsOf(this);
+    const countOf = 6;
     const loadAt = take(Float64Array.BYTES_PER_ELEMENT * countOf);
     check(wasm.cd_membrane_get_collider_load(address, size(index, "index"), loadAt, countOf));
     return got(loadAt, Float64Array, countOf);

@@ -203,6 +203,8 @@ class Api:
             return length
         if self.is_given(function, p):
             return f'size({variable(p["name"])}, "{camel(p["name"])}")'
+        if "out_load" in p["of"]:  # force and moment, in any number of components
+            return "6"
         others = [q for q in function["parameters"] if q["role"] == "length" and q is not p]
         items = "".join(f"{camel(q['name'])} * " for q in others)
         return f"{items}componentsOf(this)"

@@ -343,7 +343,8 @@ RULES = {
     "nor what its strand loses": (
         "collider.cpp", "(weight > 0 ? weight / weights * slowed[c] : 0)", "0", ["physics_rope_loads"]),
     "of a step that was not solved no load is told": (
-        "rope_contact.hh", "select(open, L{}, L::splat(1 / stage.dt) * per_lambda)", "L::splat(1 / stage.dt) * per_lambda", ["physics_rope_loads"]),
+        "rope_contact.hh", "select(open, L{}, L::splat(1 / stage.dt) * per_lambda)", "(L::splat(1 / stage.dt) * per_lambda)",
+        ["physics_rope_loads"]),
     "what a free sheet's nodes lack counts, whether they touch or not": (
         CLOTH_ACT, " + w.mass[at] / bears[part] * vector_at(missing, part)", "", ["physics_cloth_loads"]),
     "but not a held one's": (CLOTH_ACT, "bears[part] = HUGE_VAL;", "(void)0;", ["physics_cloth_loads"]),

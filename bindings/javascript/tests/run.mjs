@@ -41,12 +41,14 @@ const makers = {
     const rope = new Chain({ strands: 2, springs: 3, components: 3, restLength: 1, gravity: [0, -9.81, 0] });
     rope.position = Array.from({ length: 8 }, (_, i) => [i % 4 / 3, 0, i]);
     rope.colliders = 1;
+    rope.loads = true;
     return rope;
   },
   membrane: () => {
     const cloth = new Membrane({ nu: 4, nv: 3, components: 3, restLength: { alongU: 1, alongV: 1 } });
     cloth.position = Array.from({ length: 20 }, (_, i) => [i % 5 / 4, Math.floor(i / 5) / 3, 0]);
     cloth.colliders = 1;
+    cloth.loads = true;
     return cloth;
   },
   water: () => {
@@ -149,6 +151,7 @@ test("every method can be called", () => {
   }
   assert(new Chain({ strands: 1, springs: 3, components: 1 }).stableDt() > 0);
   assert(makers.water().stableDt() > 0);
+  for (const name of ["chain", "membrane"]) assert.equal(makers[name]().getColliderLoad(0).length, 6);
   assert(new Membrane({ nu: 3, nv: 3, components: 1 }).stableDt() > 0);
 });
 
