@@ -346,7 +346,9 @@ template <int N> auto RopeBundle<N>::settle(L follows) -> L {
         const L pulls = stage.push ? size_of(s.tension) : s.tension;
         s.taut = (s.moves * unsettled) * select(pulls, select(own, one(), none), none);
         const L lengthened = long_after(i) - s.long_before;
-        const L before = load_tension(i), was = stage.push ? size_of(before) : before;
+        // What yields was taut if it was long, whatever tension a state tells that was written since.
+        const L before = select(s.compliance, s.long_before - s.length, load_tension(i));
+        const L was = stage.push ? size_of(before) : before;
         const L caught = select(was, none, s.moves * positive(s.tension));
         const L lost = caught * positive(lengthened - (0.5 * s.compliance) * caught);
         made = made - select(caught, is_middle(i) ? 0.5 * lost : lost, none);

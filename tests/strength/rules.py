@@ -411,6 +411,8 @@ RULES = {
         "rope_step.cpp", "    if (is_rod()) look_at_joints(seen);\n", "", ["stability_ropes"]),
     "slack springs have no tension after a step": (
         "rope_step.cpp", "select(slack, L{}, positive(tension))", "positive(tension)", ["physics_rope_bend"]),
+    "what yields was taut if it was long": ("rope_step.cpp", "select(s.compliance, s.long_before - s.length, load_tension(i))",
+        "load_tension(i)", ["physics_rope_winch"]),
     "taut is what its tension would take to its length": (
         "rope_step.cpp", "s.length - give(i) * s.tension", "s.length", ["physics_rope"]),
     "held nodes may be apart by what is rounded": ("rope_step.cpp", "(over - rounded)", "over", ["physics_rope_bend"]),
