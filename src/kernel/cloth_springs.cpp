@@ -2,6 +2,7 @@
 #include <utility>
 
 #include "kernel/cloth.hh"
+#include "kernel/row_sum.hh"
 #include "kernel/vectors.hh"
 
 namespace cd {
@@ -67,18 +68,64 @@ struct Pull {
     }
 };
 
-// What keeps springs from crumpling pushes them towards their length: compression (l - L) as a step finds it, and as they
-// move on, which is Pull's. As compression l and compression L, which cancel, it would be lost in rounding.
+// Where a spring leads after a step if it goes on as it does: `turn` further, by no more than its length, to `to`.
+template <int N> struct Onward {
+    Vector<N> turn, to;
+    Lanes<N> now; // how long it is then, as far as that has a direction
+
+    Onward(const double* const* velocity, double dt, size_t at, size_t next, Vector<N> way, Lanes<N> length) {
+        using L = Lanes<N>;
+        const Vector<N> moves = L::splat(dt) * (Vector<N>::load(velocity, next) - Vector<N>::load(velocity, at));
+        turn = length / larger(root(dot(moves, moves)), length) * moves;
+        to = way + turn;
+        now = larger(root(dot(to, to)), kLeastDirection * length);
+    }
+};
+
+// What keeps springs from crumpling pushes them towards their length: compression (D - L n), D their way as a step finds
+// it and n the direction that they go on to, and as D changes otherwise than they go on, which is Pull's. As
+// compression D and compression L n, which cancel, it would be lost in rounding.
 struct Unfold {
     const ClothSprings& springs;
-    double h;
+    double h, dt;
+    const double* const* velocity;
 
-    template <int N> Vector<N> force(int number, ptrdiff_t at, ptrdiff_t, Vector<N> way, bool) const {
+    template <int N> Vector<N> force(int number, ptrdiff_t at, ptrdiff_t under, Vector<N> way, bool) const {
         using L = Lanes<N>;
         if (number > kAlongV) return Vector<N>{};
         const L length = L::load(springs.length[number] + at);
-        const L now = larger(root(dot(way, way)), kLeastDirection * length);
-        return (h * L::load(springs.compression[number] + at) * (L::splat(1) - length / now)) * way;
+        const Onward<N> onward(velocity, dt, size_t(at), size_t(number == kAlongU ? at + 1 : under), way, length);
+        const L c = h * L::load(springs.compression[number] + at);
+        return (c * (L::splat(1) - length / onward.now)) * onward.to - c * onward.turn;
+    }
+};
+
+// What a node and the springs along u and v that start there gain. A spring whose way goes from D0 to D1 gains
+// 1/2 c (l1 - L)^2 - 1/2 c (l0 - L)^2 and takes (D1 - D0) . c (D1 - L n).
+struct Gain {
+    const ClothSprings& springs;
+    const ClothGains& with;
+    size_t here, below;
+
+    template <int N> Lanes<N> operator()(size_t u) const {
+        using L = Lanes<N>;
+        const size_t at = here + u;
+        const auto of = [](const double* const* planes, size_t place) { return Vector<N>::load(planes, place); };
+        const Vector<N> start = of(with.from, at), after = of(with.after, at), change = after - of(with.before, at);
+        L sum = (-with.cost * (L::load(with.mass + at) * L::load(with.moves + at))) * dot(change, change);
+        for (int number : {kAlongU, kAlongV}) {
+            const size_t next = number == kAlongU ? at + 1 : below + u;
+            const Vector<N> way = of(with.from, next) - start,
+                            goes = L::splat(with.dt) * (of(with.after, next) - after);
+            const Vector<N> to = way + goes;
+            const L length = L::load(springs.length[number] + at);
+            const Onward<N> onward(with.before, with.dt, at, next, way, length);
+            const L sides = root(dot(way, way)) + root(dot(to, to));
+            const L longer = select(sides, dot(way + to, goes) / sides, L{});
+            const L gain = length * (dot(onward.to, goes) / onward.now - longer) - 0.5 * dot(goes, goes);
+            sum = sum + with.lambda * (L::load(springs.compression[number] + at) * gain);
+        }
+        return sum;
     }
 };
 
@@ -139,10 +186,16 @@ void cloth_residual(const Grid& grid, const ClothSprings& springs, const ClothMa
                 });
 }
 
-void cloth_unfold(const Grid& grid, const ClothSprings& springs, double h, const double* const* y, double* const* out,
-                  double* scratch, size_t first, size_t count) {
-    sum_springs(grid, Unfold{springs, h}, y, scratch, first, count,
+void cloth_unfold(const Grid& grid, const ClothSprings& springs, double h, double dt, const double* const* y,
+                  const double* const* velocity, double* const* out, double* scratch, size_t first, size_t count) {
+    sum_springs(grid, Unfold{springs, h, dt, velocity}, y, scratch, first, count,
                 [&](size_t at, V pull) { (V::load(out, at) + pull).store(out, at); });
+}
+
+void cloth_gains(const Grid& grid, const ClothSprings& springs, const ClothGains& with, double* sums, size_t first,
+                 size_t count) {
+    for (size_t row = first; row < first + count; ++row)
+        sums[row] = row_sum(grid.columns, Gain{springs, with, row * grid.pitch, grid.below(row) * grid.pitch});
 }
 
 void cloth_apply(const Grid& grid, const ClothMatrix& matrix, const double* const* p, double* const* q, double* scratch,

@@ -61,6 +61,7 @@ struct SheetKernels {
 struct ClothKernels {
     decltype(&CD_ISA::cloth_residual) residual;
     decltype(&CD_ISA::cloth_unfold) unfold;
+    decltype(&CD_ISA::cloth_gains) gains;
     decltype(&CD_ISA::cloth_apply) apply;
     decltype(&CD_ISA::cloth_bend) bend;
     decltype(&CD_ISA::cloth_blocks) blocks;

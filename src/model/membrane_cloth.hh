@@ -23,6 +23,9 @@ struct ClothContact {
 
 constexpr size_t kBefore = 8; // numbers of room before each row of a plane
 
+// What holds a part of the sheet.
+constexpr double kTouching = 1, kHeld = 2;
+
 struct ClothWork {
     Grid grid, turned;
     Parts parts, strips; // of rows, and of columns
@@ -40,7 +43,7 @@ struct ClothWork {
     double *conjugate[3], *image[3]; // a conjugate direction and the matrix times it
     double *answer[3], *turned_z[3]; // of lines along v and along u
     double* recycled[2][3];          // what the last step changed, and Newton's last direction
-    double* bound;                   // at a part's first node: 1 if it is held or has touched a collider
+    double* bound;                   // at a part's first node: 0, or what holds it
     double *inertia, *own[6];        // ground without contacts: all three the same, or with air symmetric blocks
     double* ground[6];               // with contacts
     double *curvature[kClothSprings][4], *turned_curvature[4], *block[6], *turned_block[6];
@@ -54,10 +57,20 @@ struct ClothWork {
     ClothSprings springs() const;
     ClothMatrix matrix(double* const* with_ground) const;
     size_t place(size_t u, size_t v) const { return v * grid.pitch + u; }
+    template <class F> void each_place(F f) const {
+        for (size_t v = 0; v < grid.rows; ++v)
+            for (size_t u = 0; u < grid.columns; ++u) f(place(u, v));
+    }
 };
 
 // Makes the coefficients for steps of dt whose impulses are those of h.
 void prepare(const Membrane& m, ClothWork& w, double h, double dt);
+
+// Shifts w so that every part of the sheet that nothing holds has the momentum that it should, along colliders only where
+// it touches some: springs cancel in its balance. Puts the velocity that such a part has as a whole into `error`, at its
+// first node, and into `answer`, along each axis, the least that all that holds or pushes a part moves by. False if all
+// are held.
+bool share_momentum(const ClothWork& w, size_t contacts, double dt);
 
 // Cuts springs that are beyond their breaking strain (membrane_cloth_tear.cpp); tells how many.
 size_t tear_springs(Membrane& m, ClothWork& w);
@@ -76,12 +89,17 @@ inline size_t most_contacts(size_t colliders) { return colliders < kMostTouched 
 // These are there in builds with colliders only.
 // Finds what nodes may touch in a step of dt that begins at the time `now`; tells how many contacts there are.
 size_t find_contacts(Membrane& m, ClothWork& w, double now, double dt);
+// Takes from w, of each node that goes into a collider, what the contact alone would: beside that impulse, which may be a
+// thousand times all others, a first iteration would see nothing else.
+void begin_outside(const ClothWork& w, size_t contacts, double dt);
 // Friction goes by the pushes at `velocity` from here on, where the residual without contacts is `rest`.
 void take_pushes(const ClothWork& w, size_t contacts, double dt, double* const* velocity, double* const* rest);
 // Whether the velocities w lead into a collider; the parts that touch one are bound from here on.
 bool touches(const ClothWork& w, size_t contacts, double dt);
 // Widens the ranges of velocities at the first nodes of bound parts by those of the colliders that these have met.
 void widen_by_contacts(const ClothWork& w, size_t contacts, double* const* least, double* const* most);
+// Adds the contacts of each part that has met colliders to its matrix, rigid, at its first node.
+void hold_normals(const ClothWork& w, size_t contacts, double* const* matrix);
 // residual += the contacts' impulses at `velocity`; ground, if not null, gets their stiffness.
 void add_contacts(const ClothWork& w, size_t contacts, double dt, double* const* velocity, double* const* residual,
                   double* const* ground);

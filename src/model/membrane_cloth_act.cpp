@@ -81,6 +81,8 @@ namespace {
 // How stiff a contact is, over the mass of its node; the speed e of v / (v + e) in friction [m/s]; and how much friction
 // may resist, over the contact's stiffness: of any more, rounding would hold the node along the normal too.
 constexpr double kContactStiffness = 1e4, kStickSpeed = 1e-3, kMostFriction = 1e6;
+// How many times stiffer contacts are where a part moves as a whole: it goes along them only.
+constexpr double kRigid = 1e6;
 // What the product of two normals counts for, so that contacts that are as good as one have an answer.
 constexpr double kParallel = 1 - 1e-8;
 
@@ -238,11 +240,24 @@ void take_pushes(const ClothWork& w, size_t contacts, double dt, double* const* 
 bool touches(const ClothWork& w, size_t contacts, double dt) {
     bool any = false;
     for (size_t i = 0; i < contacts; ++i) {
-        const size_t at = size_t(w.contacts[i].at);
-        if (push_of(w.contacts[i], vector_at(w.w, at), 1 / dt) > 0)
-            w.contacts[i].met = w.bound[w.part[at]] = 1, any = true;
+        ClothContact& c = w.contacts[i];
+        double& bound = w.bound[w.part[size_t(c.at)]];
+        if (!(push_of(c, vector_at(w.w, size_t(c.at)), 1 / dt) > 0)) continue;
+        c.met = 1, any = true;
+        bound = fmax(bound, kTouching);
     }
     return any;
+}
+
+void begin_outside(const ClothWork& w, size_t contacts, double dt) {
+    for (size_t i = 0; i < contacts; ++i) {
+        const ClothContact& c = w.contacts[i];
+        const size_t at = size_t(c.at);
+        const Vector3 own = vector_at(w.w, at), lacks = vector_at(w.rhs, at) - w.inertia[at] * own;
+        const double push = push_of(c, own, 1 / dt), left = push + dot(normal_of(c), lacks);
+        if (!(push > 0 && left > 0)) continue;
+        for (int k = 0; k < 3; ++k) w.w[k][at] += left / (c.stiffness + w.inertia[at]) * c.normal[k];
+    }
 }
 
 void widen_by_contacts(const ClothWork& w, size_t contacts, double* const* least, double* const* most) {
@@ -256,6 +271,13 @@ void widen_by_contacts(const ClothWork& w, size_t contacts, double* const* least
             least[k][part] = fmin(least[k][part], pushed);
             most[k][part] = fmax(most[k][part], pushed);
         }
+    }
+}
+
+void hold_normals(const ClothWork& w, size_t contacts, double* const* matrix) {
+    for (size_t i = 0; i < contacts; ++i) {
+        const ClothContact& c = w.contacts[i];
+        if (c.met > 0) add_square(matrix, w.part[size_t(c.at)], kRigid * c.stiffness, normal_of(c));
     }
 }
 
@@ -319,13 +341,9 @@ __attribute__((cold)) void settle_contacts(const ClothWork& w, size_t contacts, 
 __attribute__((cold)) void tell_loads(const Membrane& m, const ClothWork& w, size_t contacts, double dt) {
     clear_loads(m);
     double *const *const missing = w.image, *const bears = w.answer[0], *const met = w.answer[1]; // of parts; of nodes
-    const auto each_place = [&](auto f) {
-        for (size_t v = 0; v < m.rows; ++v)
-            for (size_t u = 0; u < m.columns; ++u) f(w.place(u, v));
-    };
-    each_place([&](size_t at) { missing[0][at] = missing[1][at] = missing[2][at] = bears[at] = met[at] = 0; });
+    w.each_place([&](size_t at) { missing[0][at] = missing[1][at] = missing[2][at] = bears[at] = met[at] = 0; });
     for (size_t i = 0; i < contacts; ++i) met[size_t(w.contacts[i].at)] += w.contacts[i].met;
-    each_place([&](size_t at) {
+    w.each_place([&](size_t at) {
         const size_t part = w.part[at];
         if (!(w.moves[at] > 0)) bears[part] = HUGE_VAL;
         else if (met[at] > 0) bears[part] += w.mass[at];

@@ -239,16 +239,17 @@ struct ClothStep {
         return -dot(w.residual, way);
     }
 
-    // A share of `way` in (least, most] at which Phi does not rise, if it falls at `least` and rises at `most`.
-    [[gnu::noinline]] double share_of(double* const* from, double* const* way, double least, double falls, double most,
-                                      double rises) const {
+    // A share of `way` in [least, most] at which `rise`, of a share, is not positive, if it is negative at `least` and
+    // positive at `most`.
+    template <class Rise>
+    double share_of(const Rise& rise, double least, double falls, double most, double rises) const {
         if (!isfinite(rises)) return least;
         const double flat = kFlat * falls;
         for (int i = 0; i < kMostSearches && falls < flat; ++i) { // secants; a side that stays counts for half
             const double middle = least + (most - least) * (falls / (falls - rises));
             if (!(middle < most)) return most; // where it rises by rounding only
             if (!(middle > least)) break;
-            const double now = slope(from, middle, way);
+            const double now = rise(middle);
             if (now <= 0) least = middle, falls = now, rises *= 0.5;
             else if (now > 0) most = middle, rises = now, falls *= 0.5;
             else break;
@@ -261,7 +262,9 @@ struct ClothStep {
     double search(double falls) const {
         const double end = slope(w.w, 1, w.direction);
         if (end <= 0) return 1;
-        return end <= -kFlat * falls ? falls / (falls - end) : share_of(w.w, w.direction, 0, falls, 1, end);
+        return end <= -kFlat * falls
+                   ? falls / (falls - end)
+                   : share_of([&](double share) { return slope(w.w, share, w.direction); }, 0, falls, 1, end);
     }
 
     void newton() {
@@ -285,102 +288,64 @@ struct ClothStep {
         }
     }
 
-    // Shifts w so that every part of the sheet that is free has the momentum that it should, and puts the velocity that such
-    // a part has as a whole into `error`, at the part's first node: springs cancel in its balance. Of any other part that is,
-    // along each axis, the least that all that holds or pushes it moves by. False if none is free.
-    bool share_momentum() const {
-        double *const *const force = w.error, *const *const missing = w.image;
-        double* const matrix[6] = {w.conjugate[0], w.conjugate[1], w.conjugate[2],
-                                   w.answer[0],    w.answer[1],    w.answer[2]};
-        each_place([&](size_t at) {
-            for (int k = 0; k < 3 && w.part[at] == at; ++k) {
-                matrix[k][at] = matrix[k + 3][at] = 0;
-                missing[k][at] = w.bound[at] > 0 ? HUGE_VAL : 0;
-                force[k][at] = -missing[k][at];
-            }
+    // What the springs against crumpling gain in a step of the velocities `trial`, see cloth_gains.
+    [[gnu::noinline]] double gain() const {
+        const ClothGains with{dt,
+                              m.lambda,
+                              1 - 0.5 / m.lambda,
+                              {w.from[0], w.from[1], w.from[2]},
+                              {w.conjugate[0], w.conjugate[1], w.conjugate[2]},
+                              {w.trial[0], w.trial[1], w.trial[2]},
+                              w.mass,
+                              w.moves};
+        rows([&](size_t first, size_t count, double*) {
+            cloth().gains(w.grid, w.springs(), with, w.sums, first, count);
         });
-        const int blocks = w.has_blocks() ? 6 : 3;
-        each_place([&](size_t at) {
-            const size_t part = w.part[at];
-            if (w.bound[part] > 0) {
-                for (int k = 0; k < 3 && !(w.moves[at] > 0); ++k) {
-                    missing[k][part] = fmin(missing[k][part], w.w[k][at]);
-                    force[k][part] = fmax(force[k][part], w.w[k][at]);
-                }
-                return;
-            }
-            double own[6] = {}, kept[3];
-            for (int k = 0; k < blocks; ++k) own[k] = w.own[k][at], matrix[k][part] += own[k];
-            const double x = w.w[0][at], y = w.w[1][at], z = w.w[2][at];
-            kept[0] = own[0] * x + own[3] * y + own[4] * z;
-            kept[1] = own[3] * x + own[1] * y + own[5] * z;
-            kept[2] = own[4] * x + own[5] * y + own[2] * z;
-            for (int k = 0; k < 3; ++k) force[k][part] += w.rhs[k][at], missing[k][part] += w.rhs[k][at] - kept[k];
-        });
-        if (CD_WITH_CONTACT) widen_by_contacts(w, contacts, missing, force);
-        bool any = false;
-        each_place([&](size_t at) {
-            if (w.part[at] != at) return;
-            for (int k = 0; k < 3 && w.bound[at] > 0; ++k) {
-                const double least = missing[k][at], most = force[k][at];
-                force[k][at] = least > most ? 0 : fmax(least, 0) + fmin(most, 0);
-                missing[k][at] = 0;
-            }
-            if (w.bound[at] > 0) return;
-            double sum[6], mean[3] = {}, shift[3] = {};
-            const auto solve = [&](double* const* right, double* x) {
-                const double of[3] = {right[0][at], right[1][at], right[2][at]};
-                return solve_block(sum, of, x);
-            };
-            for (int k = 0; k < 6; ++k) sum[k] = matrix[k][at];
-            any = true;
-            if (!solve(force, mean) || !solve(missing, shift)) shift[0] = shift[1] = shift[2] = 0;
-            for (int k = 0; k < 3; ++k) force[k][at] = mean[k], missing[k][at] = shift[k];
-        });
-        for (int k = 0; any && k < 3; ++k)
-            each_place([&](size_t at) { w.w[k][at] += w.moves[at] * missing[k][w.part[at]]; });
-        return any;
-    }
-    template <class F> void each_place(F f) const {
-        for (size_t v = 0; v < m.rows; ++v)
-            for (size_t u = 0; u < m.columns; ++u) f(w.place(u, v));
+        double sum = 0;
+        for (size_t r = 0; r < w.grid.rows; ++r) sum += w.sums[r];
+        return sum;
     }
 
-    // Scales what w has beside the velocities of whole parts, or all that free ones have, so that Phi does not rise along
-    // it. Those velocities, which may be as good as nothing beside the rest, are what all of it is added to. `found`: the
-    // residual is that of w.
-    void scale(bool free, bool found) const {
+    // Scales what w has beside the velocities of whole parts, or beside those of what pushes them only, so that Phi does not
+    // rise along it, and no energy comes of springs that turn otherwise than they went on to. Those velocities, which may be as
+    // good as nothing beside the rest, are what all of it is added to.
+    void scale(bool whole) const {
         double* const* const way = w.direction;
         for (int k = 0; k < 3; ++k)
-            each_place([&](size_t at) {
-                const double mean = free || w.bound[w.part[at]] > 0 ? w.error[k][w.part[at]] : 0;
+            w.each_place([&](size_t at) {
+                const double mean = (whole ? w.error : w.answer)[k][w.part[at]];
                 way[k][at] = w.moves[at] * (w.w[k][at] - mean);
                 if (w.moves[at] > 0) w.w[k][at] = mean;
             });
-        const double end = found ? -dot(w.residual, way) : slope(w.w, 1, way);
-        double share = 1;
+        by_precision(m, [&](auto zero) { load_velocities<decltype(zero)>(w.conjugate); });
+        wrap(w.conjugate);
+        const auto rise = [&](double share) {
+            const double falls = slope(w.w, share, way), gained = m.cloth.compression > 0 ? gain() : 0;
+            return gained > 0 ? falls + gained / share : falls;
+        };
+        double share = 1, most = 1, end = rise(1);
         if (!(end <= 0)) {
             // Phi's second derivative along `way` is at least that of the ground.
-            for (int k = 0; k < 3; ++k) each_place([&](size_t at) { w.image[k][at] = w.inertia[at] * way[k][at]; });
-            const double least_bend = dot(way, w.image), least = fmax(0, 1 - end / least_bend);
-            const double falls = least < 1 ? slope(w.w, least, way) : 0;
-            share = falls < 0 ? share_of(w.w, way, least, falls, 1, end) : least;
+            for (int k = 0; k < 3; ++k) w.each_place([&](size_t at) { w.image[k][at] = w.inertia[at] * way[k][at]; });
+            double least = fmax(0, 1 - end / dot(way, w.image)), falls = least < 1 ? rise(least) : 0;
+            if (falls > 0 && least > 0) most = least, end = falls, least = 0, falls = rise(0);
+            share = falls < 0 ? share_of(rise, least, falls, most, end) : least;
         }
         add(share, way, w.w);
     }
 
-    // A part of the sheet that nothing holds and that touches nothing keeps its momentum, however little of its step was found,
-    // also in air. Should it touch something after all, or air be so thick that rounding counts, the last scaling sees to it.
-    // Any other goes along with what holds or pushes it, as if that stood still.
+    // A part of the sheet that nothing holds keeps its momentum, however little of its step was found, also in air, and along
+    // what it touches. Should it touch something after all, or air be so thick that rounding counts, the last scaling sees to
+    // it. Any other goes along with what holds or pushes it, as if that stood still.
     void bound() const {
-        const bool free = share_momentum();
-        scale(true, !free);
+        const bool free = share_momentum(w, contacts, dt);
+        scale(true);
         if (!free || !w.has_blocks()) return;
         if (CD_WITH_CONTACT && touches(w, contacts, dt)) {
-            share_momentum();
-            scale(true, false);
+            share_momentum(w, contacts, dt);
+            scale(true);
         }
-        scale(false, false);
+        scale(false);
     }
 
     // Positions, velocities, what a node would do by itself, and what resists it.
@@ -391,7 +356,7 @@ struct ClothStep {
             for (size_t u = 0; u < m.columns; ++u) {
                 const size_t at = w.place(u, v);
                 const double tie = tie_of(m, u, v), mass = w.mass[at], moves = w.moves[at];
-                if (!(moves > 0)) w.bound[w.part[at]] = 1;
+                if (!(moves > 0)) w.bound[w.part[at]] = kHeld;
                 w.inertia[at] =
                     moves * (mass * (1 + h * m.drag) + h * (tie_damping_of(m, node_at(m, u, v)) + dt * tie));
                 for (size_t k = 0; k < 3; ++k) {
@@ -404,17 +369,22 @@ struct ClothStep {
                 }
             }
         wrap(w.from);
+        wrap(w.w);
         rows([&](size_t first, size_t count, double* scratch) {
-            cloth().unfold(w.grid, w.springs(), h, w.from, w.rhs, scratch, first, count);
+            cloth().unfold(w.grid, w.springs(), h, dt, w.from, w.w, w.rhs, scratch, first, count);
         });
         if (!w.has_blocks()) return;
-        for (int k = 0; k < 6; ++k) each_place([&](size_t at) { w.own[k][at] = k < 3 ? w.inertia[at] : 0; });
+        for (int k = 0; k < 6; ++k) w.each_place([&](size_t at) { w.own[k][at] = k < 3 ? w.inertia[at] : 0; });
         if (m.cloth.along > 0 || m.cloth.across > 0) add_air(m, w, h);
         if (CD_WITH_CONTACT) contacts = find_contacts(m, w, now, dt);
+        if (CD_WITH_CONTACT) begin_outside(w, contacts, dt);
     }
     template <class T> void load() const {
         each_number_of_state<T>(m.position, [&](size_t k, size_t at, T& x) { w.from[k][at] = double(x); });
-        each_number_of_state<T>(m.velocity, [&](size_t k, size_t at, T& v) { w.w[k][at] = double(v); });
+        load_velocities<T>(w.w);
+    }
+    template <class T> void load_velocities(double* const* to) const {
+        each_number_of_state<T>(m.velocity, [&](size_t k, size_t at, T& v) { to[k][at] = double(v); });
     }
     // f(component, place in the planes, number)
     template <class T, class F> void each_number_of_state(const Array<char>& array, F f) const {
@@ -435,7 +405,7 @@ struct ClothStep {
             to = fabs(value) < Limits<T>::least ? T(0) : T(value);
             return isfinite(to) != 0;
         };
-        each_number_of_state<T>(m.velocity, [&](size_t k, size_t at, T& v) { w.trial[k][at] = double(v); });
+        load_velocities<T>(w.trial);
         // What a collider gave does not go on.
         each_number_of_state<T>(m.change, [&](size_t k, size_t at, T& change) {
             if (touched || !put(w.w[k][at] - w.trial[k][at], change)) change = 0;

@@ -116,8 +116,8 @@ static void a_sheet_falls_and_keeps_its_size(void** state) {
     print_message("height %.4f, converged %.4f; stretch %.4f and %.4f, converged %.4f and %.4f\n", height, right,
                   usual.worst, usual.mean, converged.worst, converged.mean);
     assert_true(fabs(height - right) < 0.0085 * fabs(right)); /* 0.014 if each step began at rest */
-    assert_true(usual.worst < 0.03 && usual.mean < 0.003);
-    assert_true(converged.worst < 0.03 && converged.mean < 0.0026);
+    assert_true(usual.worst < 0.033 && usual.mean < 0.003);
+    assert_true(converged.worst < 0.033 && converged.mean < 0.0028);
 }
 
 /* By default a step takes few iterations where they suffice, and many where they bring something: for stiff bend, for
@@ -131,12 +131,12 @@ static void a_step_takes_as_many_iterations_as_bring_something(void** state) {
         double stiffness, shear, bend, converged, within; /* converged: of 60 iterations by Newton's method, 300 each */
         double least, most;                               /* iterations a step */
     } cases[] = {
-        {"soft", SPRINGS, 3000, 100, 0, -0.3769, 0.007, 33, 38},
-        {"stiff", SPRINGS, 72000, 2400, 0, -0.3680, 0.105, 28, 38},
-        {"stiff in shear", SPRINGS, 3000, 3000, 0, -0.3709, 0.02, 50, 65},
-        {"stiff in bend", SPRINGS, 3000, 100, 300 * unit, -0.3753, 0.015, 90, 125},
-        {"very stiff in bend", SPRINGS, 3000, 100, 3000 * unit, -0.3673, 0.025, 200, 280},
-        {"few nodes", 15, 3000, 100, 0, -0.3687, 0.01, 15, 25},
+        {"soft", SPRINGS, 3000, 100, 0, -0.3852, 0.009, 33, 41},
+        {"stiff", SPRINGS, 72000, 2400, 0, -0.3774, 0.12, 28, 38},
+        {"stiff in shear", SPRINGS, 3000, 3000, 0, -0.3792, 0.032, 50, 65},
+        {"stiff in bend", SPRINGS, 3000, 100, 300 * unit, -0.3839, 0.02, 90, 125},
+        {"very stiff in bend", SPRINGS, 3000, 100, 3000 * unit, -0.3761, 0.025, 200, 280},
+        {"few nodes", 15, 3000, 100, 0, -0.3779, 0.01, 15, 25},
     };
     for (size_t i = 0; i < COUNT(cases); ++i) {
         cd_membrane* m = sheet_of(cases[i].springs, cases[i].stiffness, cases[i].shear, cases[i].bend);
