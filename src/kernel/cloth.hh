@@ -44,10 +44,10 @@ struct ClothResidual {
     const double *rhs[3], *w[3];
 };
 
-// A step of dt from the places `from`: velocities before it, and those that move the nodes.
+// A step of dt from the places `from`: velocities before it, expected ones, and those that move the nodes.
 struct ClothGains {
     double dt, lambda, cost; // cost: of a change of the velocities, per mass and square
-    const double *from[3], *before[3], *after[3], *mass, *moves;
+    const double *from[3], *before[3], *expected[3], *after[3], *mass, *moves;
 };
 
 // Numbers of scratch that a part of the rows needs, in rows of a plane.
@@ -59,10 +59,12 @@ namespace CD_ISA {
 // the springs' curvatures, of h dt.
 void cloth_residual(const Grid& grid, const ClothSprings& springs, const ClothMatrix& matrix, const ClothResidual& with,
                     const double* const* y, double* const* r, bool curves, double* scratch, size_t first, size_t count);
-// out += h the push of the springs against crumpling at y, as far as it does not depend on where a step of dt leads; they
-// expect these velocities to go on.
+// to = what velocities are on average around each node: what springs expect to go on, but for needles.
+void cloth_smooth(const Grid& grid, const ClothSprings& springs, const double* const* from, double* const* to,
+                  size_t first, size_t count);
+// out += h the push of the springs against crumpling at y, as far as it does not depend on where a step of dt leads.
 void cloth_unfold(const Grid& grid, const ClothSprings& springs, double h, double dt, const double* const* y,
-                  const double* const* velocity, double* const* out, double* scratch, size_t first, size_t count);
+                  const double* const* expected, double* const* out, double* scratch, size_t first, size_t count);
 // Of each row, lambda times the energy that springs against crumpling gain in a step beyond what their impulses take,
 // less the cost of the change of velocities.
 void cloth_gains(const Grid& grid, const ClothSprings& springs, const ClothGains& with, double* sums, size_t first,

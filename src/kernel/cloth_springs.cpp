@@ -119,7 +119,7 @@ struct Gain {
                             goes = L::splat(with.dt) * (of(with.after, next) - after);
             const Vector<N> to = way + goes;
             const L length = L::load(springs.length[number] + at);
-            const Onward<N> onward(with.before, with.dt, at, next, way, length);
+            const Onward<N> onward(with.expected, with.dt, at, next, way, length);
             const L sides = root(dot(way, way)) + root(dot(to, to));
             const L longer = select(sides, dot(way + to, goes) / sides, L{});
             const L gain = length * (dot(onward.to, goes) / onward.now - longer) - 0.5 * dot(goes, goes);
@@ -190,6 +190,27 @@ void cloth_unfold(const Grid& grid, const ClothSprings& springs, double h, doubl
                   const double* const* velocity, double* const* out, double* scratch, size_t first, size_t count) {
     sum_springs(grid, Unfold{springs, h, dt, velocity}, y, scratch, first, count,
                 [&](size_t at, V pull) { (V::load(out, at) + pull).store(out, at); });
+}
+
+// (1 2 1) / 4 along u and then along v, where two springs meet in line.
+void cloth_smooth(const Grid& grid, const ClothSprings& springs, const double* const* from, double* const* to,
+                  size_t first, size_t count) {
+    using L = Lanes<kLanes>;
+    const auto quarter = [](L before, L after) { return select(smaller(before, after), L::splat(0.25), L{}); };
+    for (size_t row = first; row < first + count; ++row)
+        for (size_t u = 0; u < grid.columns; u += kLanes) {
+            const auto along_u = [&](size_t of) {
+                const size_t at = of * grid.pitch + u;
+                const V here = V::load(from, at),
+                        aside = (V::load(from, at - 1) - here) + (V::load(from, at + 1) - here);
+                const double* const c = springs.compression[kAlongU] + at;
+                return here + quarter(L::load(c - 1), L::load(c)) * aside;
+            };
+            const size_t above = grid.above(row), at = row * grid.pitch + u;
+            const double* const c = springs.compression[kAlongV];
+            const V here = along_u(row), aside = (along_u(above) - here) + (along_u(grid.below(row)) - here);
+            (here + quarter(L::load(c + above * grid.pitch + u), L::load(c + at)) * aside).store(to, at);
+        }
 }
 
 void cloth_gains(const Grid& grid, const ClothSprings& springs, const ClothGains& with, double* sums, size_t first,

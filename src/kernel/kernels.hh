@@ -60,6 +60,7 @@ struct SheetKernels {
 
 struct ClothKernels {
     decltype(&CD_ISA::cloth_residual) residual;
+    decltype(&CD_ISA::cloth_smooth) smooth;
     decltype(&CD_ISA::cloth_unfold) unfold;
     decltype(&CD_ISA::cloth_gains) gains;
     decltype(&CD_ISA::cloth_apply) apply;

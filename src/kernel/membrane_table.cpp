@@ -33,8 +33,8 @@ const MembraneKernels membrane_kernels = {
      CD_KERNEL(CD_WITH_COUPLED, aggregate),
      CD_KERNEL(CD_WITH_COUPLED, spread)},
 #if CD_WITH_CLOTH
-    {cloth_residual, cloth_unfold, cloth_gains, cloth_apply, CD_KERNEL(CD_WITH_BEND, cloth_bend), cloth_blocks,
-     cloth_factor, cloth_solve},
+    {cloth_residual, cloth_smooth, cloth_unfold, cloth_gains, cloth_apply, CD_KERNEL(CD_WITH_BEND, cloth_bend),
+     cloth_blocks, cloth_factor, cloth_solve},
 #else
     {},
 #endif

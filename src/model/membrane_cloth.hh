@@ -89,9 +89,6 @@ inline size_t most_contacts(size_t colliders) { return colliders < kMostTouched 
 // These are there in builds with colliders only.
 // Finds what nodes may touch in a step of dt that begins at the time `now`; tells how many contacts there are.
 size_t find_contacts(Membrane& m, ClothWork& w, double now, double dt);
-// Takes from w, of each node that goes into a collider, what the contact alone would: beside that impulse, which may be a
-// thousand times all others, a first iteration would see nothing else.
-void begin_outside(const ClothWork& w, size_t contacts, double dt);
 // Friction goes by the pushes at `velocity` from here on, where the residual without contacts is `rest`.
 void take_pushes(const ClothWork& w, size_t contacts, double dt, double* const* velocity, double* const* rest);
 // Whether the velocities w lead into a collider; the parts that touch one are bound from here on.

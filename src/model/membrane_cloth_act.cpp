@@ -249,17 +249,6 @@ bool touches(const ClothWork& w, size_t contacts, double dt) {
     return any;
 }
 
-void begin_outside(const ClothWork& w, size_t contacts, double dt) {
-    for (size_t i = 0; i < contacts; ++i) {
-        const ClothContact& c = w.contacts[i];
-        const size_t at = size_t(c.at);
-        const Vector3 own = vector_at(w.w, at), lacks = vector_at(w.rhs, at) - w.inertia[at] * own;
-        const double push = push_of(c, own, 1 / dt), left = push + dot(normal_of(c), lacks);
-        if (!(push > 0 && left > 0)) continue;
-        for (int k = 0; k < 3; ++k) w.w[k][at] += left / (c.stiffness + w.inertia[at]) * c.normal[k];
-    }
-}
-
 void widen_by_contacts(const ClothWork& w, size_t contacts, double* const* least, double* const* most) {
     for (size_t i = 0; i < contacts; ++i) {
         const ClothContact& c = w.contacts[i];

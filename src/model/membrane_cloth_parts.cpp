@@ -5,6 +5,17 @@
 
 namespace cd {
 
+namespace {
+
+// Of a symmetric matrix in the order of ClothMatrix::ground.
+void multiply(const double* a, const double* x, double* out) {
+    out[0] = a[0] * x[0] + a[3] * x[1] + a[4] * x[2];
+    out[1] = a[3] * x[0] + a[1] * x[1] + a[5] * x[2];
+    out[2] = a[4] * x[0] + a[5] * x[1] + a[2] * x[2];
+}
+
+} // namespace
+
 bool share_momentum(const ClothWork& w, size_t contacts, double dt) {
     double *const *const whole = w.error, *const *const shift = w.image, *const *const least = w.answer;
     double *const *const most = w.to, *const matrix[6] = {w.conjugate[0], w.conjugate[1], w.conjugate[2],
@@ -26,13 +37,6 @@ bool share_momentum(const ClothWork& w, size_t contacts, double dt) {
         hold_normals(w, contacts, matrix);
     }
     const int blocks = w.has_blocks() ? 6 : 3;
-    const auto add = [&](double* const* planes, size_t at, double x, double y, double z, double* sum) {
-        double a[6] = {};
-        for (int k = 0; k < blocks; ++k) a[k] = planes[k][at];
-        sum[0] += a[0] * x + a[3] * y + a[4] * z;
-        sum[1] += a[3] * x + a[1] * y + a[5] * z;
-        sum[2] += a[4] * x + a[5] * y + a[2] * z;
-    };
     bool any = false;
     w.each_place([&](size_t at) {
         const size_t part = w.part[at];
@@ -40,15 +44,17 @@ bool share_momentum(const ClothWork& w, size_t contacts, double dt) {
             least[k][at] = least[k][at] > most[k][at] ? 0 : fmax(least[k][at], 0) + fmin(most[k][at], 0);
         if (w.bound[part] == kHeld) return;
         any = true;
-        const double x = w.w[0][at], y = w.w[1][at], z = w.w[2][at];
-        double kept[3] = {}, beside[3] = {};
-        add(w.own, at, x, y, z, kept);
-        add(w.ground, at, x - least[0][part], y - least[1][part], z - least[2][part], beside);
-        for (int k = 0; k < 3; ++k) {
-            const double left = (w.rhs[k][at] - kept[k]) + w.residual[k][at];
-            shift[k][part] += left, whole[k][part] += left + beside[k];
+        double own[6] = {}, touched[6] = {}, kept[3], went[3], rubbed[3], now[3], beside[3], base[3];
+        for (int k = 0; k < blocks; ++k) {
+            own[k] = w.own[k][at], touched[k] = w.ground[k][at] - own[k];
+            matrix[k][part] += w.ground[k][at];
         }
-        for (int k = 0; k < blocks; ++k) matrix[k][part] += w.ground[k][at];
+        for (int k = 0; k < 3; ++k) now[k] = w.w[k][at], base[k] = least[k][part], beside[k] = now[k] - base[k];
+        multiply(own, now, kept), multiply(own, base, went), multiply(touched, beside, rubbed);
+        for (int k = 0; k < 3; ++k) {
+            const double given = w.rhs[k][at] + w.residual[k][at];
+            shift[k][part] += given - kept[k], whole[k][part] += (given - went[k]) + rubbed[k];
+        }
     });
     w.each_place([&](size_t at) {
         double sum[6], of_all[3] = {}, more[3] = {};

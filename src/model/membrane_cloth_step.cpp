@@ -288,6 +288,11 @@ struct ClothStep {
         }
     }
 
+    void smooth(double* const* from, double* const* to) const {
+        rows([&](size_t first, size_t count, double*) { cloth().smooth(w.grid, w.springs(), from, to, first, count); });
+        wrap(to);
+    }
+
     // What the springs against crumpling gain in a step of the velocities `trial`, see cloth_gains.
     [[gnu::noinline]] double gain() const {
         const ClothGains with{dt,
@@ -295,6 +300,7 @@ struct ClothStep {
                               1 - 0.5 / m.lambda,
                               {w.from[0], w.from[1], w.from[2]},
                               {w.conjugate[0], w.conjugate[1], w.conjugate[2]},
+                              {w.recycled[0][0], w.recycled[0][1], w.recycled[0][2]},
                               {w.trial[0], w.trial[1], w.trial[2]},
                               w.mass,
                               w.moves};
@@ -317,10 +323,14 @@ struct ClothStep {
                 way[k][at] = w.moves[at] * (w.w[k][at] - mean);
                 if (w.moves[at] > 0) w.w[k][at] = mean;
             });
-        by_precision(m, [&](auto zero) { load_velocities<decltype(zero)>(w.conjugate); });
-        wrap(w.conjugate);
+        const bool turns = m.cloth.compression > 0;
+        if (turns) {
+            by_precision(m, [&](auto zero) { load_velocities<decltype(zero)>(w.conjugate); });
+            wrap(w.conjugate);
+            smooth(w.conjugate, w.recycled[0]);
+        }
         const auto rise = [&](double share) {
-            const double falls = slope(w.w, share, way), gained = m.cloth.compression > 0 ? gain() : 0;
+            const double falls = slope(w.w, share, way), gained = turns ? gain() : 0;
             return gained > 0 ? falls + gained / share : falls;
         };
         double share = 1, most = 1, end = rise(1);
@@ -370,14 +380,14 @@ struct ClothStep {
             }
         wrap(w.from);
         wrap(w.w);
+        smooth(w.w, w.conjugate);
         rows([&](size_t first, size_t count, double* scratch) {
-            cloth().unfold(w.grid, w.springs(), h, dt, w.from, w.w, w.rhs, scratch, first, count);
+            cloth().unfold(w.grid, w.springs(), h, dt, w.from, w.conjugate, w.rhs, scratch, first, count);
         });
         if (!w.has_blocks()) return;
         for (int k = 0; k < 6; ++k) w.each_place([&](size_t at) { w.own[k][at] = k < 3 ? w.inertia[at] : 0; });
         if (m.cloth.along > 0 || m.cloth.across > 0) add_air(m, w, h);
         if (CD_WITH_CONTACT) contacts = find_contacts(m, w, now, dt);
-        if (CD_WITH_CONTACT) begin_outside(w, contacts, dt);
     }
     template <class T> void load() const {
         each_number_of_state<T>(m.position, [&](size_t k, size_t at, T& x) { w.from[k][at] = double(x); });
