@@ -276,6 +276,34 @@ static void springs_of_very_different_lengths_are_solved(void** state) {
         }
 }
 
+/* Stretched along a line a rope is linear, wherever its middle lies: one iteration solves a step, whatever tension the
+ * guess begins with, also one that its springs would have to be far longer for. */
+static void long_springs_on_a_line_are_solved_at_once(void** state) {
+    (void)state;
+    for (size_t nodes = 2; nodes <= 7; ++nodes)
+        for (double guess = 0.1; guess < 2000; guess *= 10)
+            for (int way = 0; way < 4; ++way) {
+                cd_chain* chain = NULL;
+                size_t iterations;
+                ok(cd_chain_create(1, nodes - 1, 1, CD_FLOAT64, NULL, &chain));
+                ok(cd_chain_set_rest_length(chain, (double)(nodes - 1)));
+                ok(cd_chain_set_stiffness(chain, 1 / (double)(nodes - 1)));
+                ok(cd_chain_set_mass(chain, (double)nodes));
+                ok(cd_chain_set_lambda(chain, way % 2 ? 1 : 0.5));
+                ok(cd_chain_set_push(chain, way / 2));
+                for (size_t i = 0; i < nodes; ++i) {
+                    const double x = 1.01 * (double)i, v = 3 * (double)i;
+                    ok(cd_chain_write_f64(chain, CD_POSITION, 0, 1, i, 1, &x, 1));
+                    ok(cd_chain_write_f64(chain, CD_VELOCITY, 0, 1, i, 1, &v, 1));
+                    if (i > 0) ok(cd_chain_write_f64(chain, CD_TENSION, 0, 1, i - 1, 1, &guess, 1));
+                }
+                ok(cd_chain_step(chain, 0.5, 1));
+                ok(cd_chain_get_convergence(chain, &iterations, NULL));
+                assert_int_equal(iterations, 1);
+                cd_chain_destroy(chain);
+            }
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(a_rope_moves_as_its_mirror_image),
@@ -284,6 +312,7 @@ int main(void) {
         cmocka_unit_test(springs_open_from_one_point),
         cmocka_unit_test(a_long_rope_swings_by_few_iterations),
         cmocka_unit_test(springs_of_very_different_lengths_are_solved),
+        cmocka_unit_test(long_springs_on_a_line_are_solved_at_once),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
