@@ -107,6 +107,7 @@ static void build(struct scene* s, uint64_t seed, cd_precision precision, int he
     normal[up] = 1;
     ok(cd_chain_set_plane(c, 0, nowhere, normal, n, friction));
     b[1] = part(&draw) - 0.5;
+    if (n == 2) b[1] = -fabs(b[1]); /* no rope lies across it, whose nodes would leave it on both sides */
     ok(cd_chain_set_capsule(c, 1, a, b, n, 0.1 + 0.2 * part(&draw), friction));
     double velocity[3] = {part(&draw) - 0.5, part(&draw) - 0.5, 0};
     if (part(&draw) < 0.5) ok(cd_chain_set_collider_velocity(c, 1, velocity, n));
@@ -178,6 +179,31 @@ static void what_ropes_gain_colliders_lose(void** state) {
         check_scene(seed, CD_FLOAT64, 1, 1e-6, &held);
     }
     assert_true(wide.touched > wide.steps / 2 && wide.unsolved < wide.steps / 50);
+}
+
+/* A rope of fixed length lies across a body, which its nodes would leave on both sides: no step is solved, and none tells
+ * a load. */
+static void what_a_body_tears_apart_tells_no_load(void** state) {
+    (void)state;
+    const double first[2] = {-1, 0.01}, last[2] = {1, 0.01}; /* the rope goes from below to above it */
+    for (int far = 0; far < 2; ++far) {
+        double load[6], x[2 * 12];
+        cd_chain* c;
+        ok(cd_chain_create(1, 11, 2, CD_FLOAT64, NULL, &c));
+        ok(cd_chain_set_rest_length(c, 1));
+        ok(cd_chain_set_stiffness(c, INFINITY));
+        for (int i = 0; i < 12; ++i) x[2 * i] = far ? 3 : 0, x[2 * i + 1] = i / 11.0 - 0.5;
+        ok(cd_chain_write_f64(c, CD_POSITION, 0, 1, 0, 12, x, 24));
+        ok(cd_chain_set_loads(c, 1));
+        ok(cd_chain_set_colliders(c, 1));
+        ok(cd_chain_set_capsule(c, 0, first, last, 2, 0.3, 0.5));
+        for (int step = 0; step < 5; ++step) {
+            assert_int_equal(cd_chain_step(c, 1.0 / 60, 1), far ? CD_OK : CD_ERROR_TOLERANCE);
+            get_load(c, 0, load);
+            for (int k = 0; k < 6; ++k) assert_true(load[k] == 0);
+        }
+        cd_chain_destroy(c);
+    }
 }
 
 /* ---- ropes at rest ------------------------------------------------------------------------------------------------ */
@@ -346,8 +372,11 @@ static void loads_change_no_step(void** state) {
 
 int main(void) {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(what_ropes_gain_colliders_lose), cmocka_unit_test(what_rests_bears_with_its_weight),
-        cmocka_unit_test(a_peg_bears_both_tensions),      cmocka_unit_test(what_sleeps_bears_on),
+        cmocka_unit_test(what_ropes_gain_colliders_lose),
+        cmocka_unit_test(what_a_body_tears_apart_tells_no_load),
+        cmocka_unit_test(what_rests_bears_with_its_weight),
+        cmocka_unit_test(a_peg_bears_both_tensions),
+        cmocka_unit_test(what_sleeps_bears_on),
         cmocka_unit_test(loads_change_no_step),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
