@@ -322,9 +322,10 @@ template <int N> void RopeBundle<N>::calm() {
         Contact& c = contacts[at];
         look_at_end(at % stage.collider_count, i, before, before + L::splat(stage.dt) * nodes[i].w, c);
         // Pushes of another motion mean nothing, and what is still inside came out by no more than it went.
-        const L came_out = smaller(positive(c.gap - c.before), positive(L{} - c.before));
+        const L went = stage.dt * dot(c.normal, nodes[i].w),
+                came_out = smaller(positive(went), positive(L{} - c.before));
         c.before = select(open, L{} - came_out, c.before);
-        c.on = select(open, one(), c.on), c.push = select(open, L{}, c.push);
+        c.on = select(open, select(came_out, one(), L{}), c.on), c.push = select(open, L{}, c.push);
     }
 }
 
