@@ -3,6 +3,7 @@ message, and that nothing has changed."""
 import math
 import re
 import unittest
+from fractions import Fraction
 
 import contdyn
 from contdyn import Chain, Edge, End, Field, Membrane, Method, Node, Precision, Water
@@ -442,6 +443,21 @@ class Errors(unittest.TestCase):
 
         with self.assertRaisesRegex(contdyn.RangeError, "kernels is 4294967296, must be in"):
             contdyn.kernels_name(2**32)
+
+    def test_numbers_that_no_float_holds_are_values_out_of_range(self):
+        chain = moving(Chain)
+        before = chain.hash()
+        for huge, told in ((10**400, "10000"), (-10**5000, "an int of"), (Fraction(10**400), "Fraction")):
+            for use in (setting("mass", huge), lambda c: c.step(huge), setting("gravity", (0, huge)),
+                        setting("position", huge), lambda c: c.write(Field.POSITION, [0, huge], n=1),
+                        lambda c: c.impulse(0, 0, [huge, 0])):
+                with self.subTest(told), self.assertRaisesRegex(contdyn.InvalidValueError, f" is {told}.* beyond"):
+                    use(chain)
+        with self.assertRaisesRegex(contdyn.RangeError, "count is an int of thousands of digits, must be in"):
+            chain.step(0.01, 10**5000)
+        self.assertEqual(chain.hash(), before)
+        chain.position = 2**70  # beyond 64 bits, and a float
+        self.assertEqual(chain.position[0, 0, 0], 2.0**70)
 
     def test_what_was_left_out_of_the_library_is_named(self):
         class Bridge(Chain):
