@@ -353,14 +353,10 @@ class Errors(unittest.TestCase):
             moving(Chain).mass = -2
 
     def test_every_error_that_the_header_lists_is_here(self):
-        tried = {(function, error) for function, error, _, _ in CASES} | {("step", "DIVERGED"), ("load", "MEMORY"),
-                                                                         ("set_end", "DIVERGED"),
-                                                                         ("teleport", "DIVERGED"),
-                                                                         ("attach", "DIVERGED"),
-                                                                         ("enable_field", "DIVERGED"),
-                                                                         ("copy_state", "MEMORY"),
-                                                                         ("step", "TOLERANCE"),
-                                                                         ("step", "CALLBACK")}
+        tried = {(function, error) for function, error, _, _ in CASES}
+        tried |= {(function, "DIVERGED") for function in ("step", "set_end", "teleport", "attach", "enable_field", "impulse",
+                                                          "splash", "add_volume", "add_volume_rectangle")}
+        tried |= {("load", "MEMORY"), ("copy_state", "MEMORY"), ("step", "TOLERANCE"), ("step", "CALLBACK")}
         for shorts, error in listed():
             if error in ("NULL",):  # no null pointer is passed from Python
                 continue
@@ -377,11 +373,18 @@ class Errors(unittest.TestCase):
         chain.read(Field.POSITION)
         for use in (lambda: chain.step(0.01), lambda: chain.teleport(0, None, (1, 1, 1)),
                     lambda: chain.set_end(End.LAST, Node.POSED), lambda: chain.attach(0, 1, 1, 1),
-                    lambda: chain.enable_field(Field.TARGET)):
+                    lambda: chain.enable_field(Field.TARGET), lambda: chain.impulse(0, 1, (1, 1, 1))):
             with self.assertRaises(contdyn.DivergedError):
                 use()
         chain.reset()
         chain.step(0.01)
+        pool = moving(Water, Precision.FLOAT32)
+        pool.enable_field(Field.SOURCE)
+        pool.write(Field.SOURCE, 1e37)
+        for use in (lambda: pool.step(8, 10), lambda: pool.impulse(1, 1, 1, 1, 1), lambda: pool.splash(1, 1, 1, 1),
+                    lambda: pool.add_volume(1, 1, 1, 1), lambda: pool.add_volume_rectangle(0, 0, 1, 1, 1)):
+            with self.assertRaises(contdyn.DivergedError):
+                use()
 
     def test_no_memory_for_what_is_loaded(self):
         source = moving(Chain)
