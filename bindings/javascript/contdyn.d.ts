@@ -1682,8 +1682,7 @@ export class Membrane extends Handle {
 
   /**
    * Adds impulse [N s], one number per component, spread over the nodes less than `radius` springs away from the place
-   * (u, v), counted on the lattice and not round a ring, by the weights (1 - (distance / radius)^2)^2, scaled to sum to
-   * 1;
+   * (u, v), counted on the lattice and not round a ring, by weights (1 - (distance / radius)^2)^2, scaled to sum to 1;
    * all on the nearest node if there is none. A node's velocity changes by its share / its mass; held and absent nodes
    * lose it. u in [0, nu], v in [0, nv], radius >= 0. Errors: "errorRange", "errorValue", "errorDiverged".
    */
@@ -2208,7 +2207,7 @@ export class Water extends Handle {
 
   /**
    * Adds an impulse (x, y) [N s] over a disc: a face's velocity changes by its share of it / the mass of water at it,
-   * shares being in proportion to that mass too; on dry faces nothing happens. Errors: "errorValue", "errorDiverged".
+   * shares in proportion to that mass too; on dry faces nothing happens. Errors: "errorValue", "errorDiverged".
    */
   impulse(x: number, y: number, radius: number, impulseX: number, impulseY: number): void;
 

@@ -270,7 +270,7 @@ CD_API cd_status cd_water_add_source_rectangle(cd_water* water, size_t first_x, 
 CD_API cd_status cd_water_splash(cd_water* water, double x, double y, double radius, double height);
 
 /* Adds an impulse (x, y) [N s] over a disc: a face's velocity changes by its share of it / the mass of water at it,
- * shares being in proportion to that mass too; on dry faces nothing happens. Errors: CD_ERROR_VALUE, CD_ERROR_DIVERGED. */
+ * shares in proportion to that mass too; on dry faces nothing happens. Errors: CD_ERROR_VALUE, CD_ERROR_DIVERGED. */
 CD_API cd_status cd_water_impulse(cd_water* water, double x, double y, double radius, double impulse_x,
                                   double impulse_y);
 

@@ -3777,7 +3777,7 @@ namespace Contdyn
         }
 
         /// <summary>Adds impulse [N s], one number per component, spread over the nodes less than `radius` springs away
-        /// from the place (u, v), counted on the lattice and not round a ring, by the weights (1 - (distance /
+        /// from the place (u, v), counted on the lattice and not round a ring, by weights (1 - (distance /
         /// radius)^2)^2, scaled to sum to 1; all on the nearest node if there is none. A node's velocity changes by its
         /// share / its mass; held and absent nodes lose it. u in [0, nu], v in [0, nv], radius &gt;= 0. Errors:
         /// CD_ERROR_RANGE, CD_ERROR_VALUE, CD_ERROR_DIVERGED.</summary>
@@ -3789,7 +3789,7 @@ namespace Contdyn
 
 #if CONTDYN_SPANS
         /// <summary>Adds impulse [N s], one number per component, spread over the nodes less than `radius` springs away
-        /// from the place (u, v), counted on the lattice and not round a ring, by the weights (1 - (distance /
+        /// from the place (u, v), counted on the lattice and not round a ring, by weights (1 - (distance /
         /// radius)^2)^2, scaled to sum to 1; all on the nearest node if there is none. A node's velocity changes by its
         /// share / its mass; held and absent nodes lose it. u in [0, nu], v in [0, nv], radius &gt;= 0. Errors:
         /// CD_ERROR_RANGE, CD_ERROR_VALUE, CD_ERROR_DIVERGED.</summary>
@@ -4988,8 +4988,8 @@ namespace Contdyn
         }
 
         /// <summary>Adds an impulse (x, y) [N s] over a disc: a face's velocity changes by its share of it / the mass
-        /// of water at it, shares being in proportion to that mass too; on dry faces nothing happens. Errors:
-        /// CD_ERROR_VALUE, CD_ERROR_DIVERGED.</summary>
+        /// of water at it, shares in proportion to that mass too; on dry faces nothing happens. Errors: CD_ERROR_VALUE,
+        /// CD_ERROR_DIVERGED.</summary>
         public void Impulse(double x, double y, double radius, double impulseX, double impulseY)
         {
             Changed();

@@ -2854,8 +2854,8 @@ function Membrane:view(field)
 end
 
 -- Adds impulse [N s], one number per component, spread over the nodes less than `radius` springs away from the place
--- (u, v), counted on the lattice and not round a ring, by the weights (1 - (distance / radius)^2)^2, scaled to sum to
--- 1; all on the nearest node if there is none. A node's velocity changes by its share / its mass; held and absent nodes
+-- (u, v), counted on the lattice and not round a ring, by weights (1 - (distance / radius)^2)^2, scaled to sum to 1;
+-- all on the nearest node if there is none. A node's velocity changes by its share / its mass; held and absent nodes
 -- lose it. u in [0, nu], v in [0, nv], radius >= 0. Errors: CD_ERROR_RANGE, CD_ERROR_VALUE, CD_ERROR_DIVERGED.
 function Membrane:impulse(u, v, radius, impulse)
   local where = "cd_membrane_impulse"
@@ -3619,7 +3619,7 @@ function Water:splash(x, y, radius, height)
 end
 
 -- Adds an impulse (x, y) [N s] over a disc: a face's velocity changes by its share of it / the mass of water at it,
--- shares being in proportion to that mass too; on dry faces nothing happens. Errors: CD_ERROR_VALUE, CD_ERROR_DIVERGED.
+-- shares in proportion to that mass too; on dry faces nothing happens. Errors: CD_ERROR_VALUE, CD_ERROR_DIVERGED.
 function Water:impulse(x, y, radius, impulse_x, impulse_y)
   local where = "cd_water_impulse"
   x = number_in(x, where, "x")

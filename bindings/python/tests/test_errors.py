@@ -354,8 +354,9 @@ class Errors(unittest.TestCase):
 
     def test_every_error_that_the_header_lists_is_here(self):
         tried = {(function, error) for function, error, _, _ in CASES}
-        tried |= {(function, "DIVERGED") for function in ("step", "set_end", "teleport", "attach", "enable_field", "impulse",
-                                                          "splash", "add_volume", "add_volume_rectangle")}
+        tried |= {(function, "DIVERGED") for function in (
+            "step", "set_end", "teleport", "attach", "enable_field", "impulse", "splash", "add_volume",
+            "add_volume_rectangle")}
         tried |= {("load", "MEMORY"), ("copy_state", "MEMORY"), ("step", "TOLERANCE"), ("step", "CALLBACK")}
         for shorts, error in listed():
             if error in ("NULL",):  # no null pointer is passed from Python

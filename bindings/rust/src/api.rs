@@ -2806,9 +2806,9 @@ impl Membrane {
     }
 
     /// Adds impulse \[N s\], one number per component, spread over the nodes less than `radius` springs away from the
-    /// place (u, v), counted on the lattice and not round a ring, by the weights (1 - (distance / radius)^2)^2, scaled
-    /// to sum to 1; all on the nearest node if there is none. A node's velocity changes by its share / its mass; held
-    /// and absent nodes lose it. u in \[0, nu\], v in \[0, nv\], radius \>= 0. Errors: CD_ERROR_RANGE, CD_ERROR_VALUE,
+    /// place (u, v), counted on the lattice and not round a ring, by weights (1 - (distance / radius)^2)^2, scaled to
+    /// sum to 1; all on the nearest node if there is none. A node's velocity changes by its share / its mass; held and
+    /// absent nodes lose it. u in \[0, nu\], v in \[0, nv\], radius \>= 0. Errors: CD_ERROR_RANGE, CD_ERROR_VALUE,
     /// CD_ERROR_DIVERGED.
     pub fn impulse(&mut self, u: f64, v: f64, radius: f64, impulse: &[f64]) -> Result<()> {
         let count = count_of(impulse.len(), 1, "cd_membrane_impulse", "impulse")?;
@@ -3599,7 +3599,7 @@ impl Water {
     }
 
     /// Adds an impulse (x, y) \[N s\] over a disc: a face's velocity changes by its share of it / the mass of water at
-    /// it, shares being in proportion to that mass too; on dry faces nothing happens. Errors: CD_ERROR_VALUE,
+    /// it, shares in proportion to that mass too; on dry faces nothing happens. Errors: CD_ERROR_VALUE,
     /// CD_ERROR_DIVERGED.
     pub fn impulse(&mut self, x: f64, y: f64, radius: f64, impulse_x: f64, impulse_y: f64) -> Result<()> {
         check(unsafe { sys::cd_water_impulse(self.as_ptr(), x, y, radius, impulse_x, impulse_y) })
