@@ -907,7 +907,7 @@ export class Chain extends Handle {
 
   /**
    * Adds impulse [N s], one number per component, to a node: its velocity changes by impulse / mass, in a welded group
-   * by impulse / the group's mass; a held node takes none. Errors: "errorRange", "errorValue".
+   * by impulse / the group's mass; a held node takes none. Errors: "errorRange", "errorValue", "errorDiverged".
    */
   impulse(strand: number, node: number, impulse: Numbers): void;
 
@@ -1682,11 +1682,10 @@ export class Membrane extends Handle {
   // ---- acting on it -------------------------------------------------------------------------------------------------
 
   /**
-   * Adds impulse [N s], one number per component, spread over the nodes that are less than `radius` springs away from
-   * the place (u, v), counted on the lattice and not round a ring, by the weights (1 - (distance / radius)^2)^2, which
-   * are scaled to sum to 1; all on the nearest node if there is none. A node's velocity changes by its share / its
-   * mass;
-   * held and absent nodes lose it. u in [0, nu], v in [0, nv], radius >= 0. Errors: "errorRange", "errorValue".
+   * Adds impulse [N s], one number per component, spread over the nodes less than `radius` springs away from the place
+   * (u, v), counted on the lattice and not round a ring, by weights (1 - (distance / radius)^2)^2, scaled to sum to 1;
+   * all on the nearest node if there is none. A node's velocity changes by its share / its mass; held and absent nodes
+   * lose it. u in [0, nu], v in [0, nv], radius >= 0. Errors: "errorRange", "errorValue", "errorDiverged".
    */
   impulse(u: number, v: number, radius: number, impulse: Numbers): void;
 
@@ -2181,13 +2180,13 @@ export class Water extends Handle {
 
   /**
    * Adds volume [m^3] over a disc, or takes it if negative, as far as there is water in each cell's share. added tells
-   * what it came to. The account counts it. Errors: "errorValue".
+   * what it came to. The account counts it. Errors: "errorValue", "errorDiverged".
    */
   addVolume(x: number, y: number, radius: number, volume: number): number;
 
   /**
    * Adds volume [m^3] evenly over the cells there of a rectangle, or takes it; added as above.
-   * Errors: "errorRange"; "errorValue".
+   * Errors: "errorRange"; "errorValue", "errorDiverged".
    */
   addVolumeRectangle(firstX: number, firstY: number, nX: number, nY: number, volume: number): number;
 
@@ -2203,13 +2202,13 @@ export class Water extends Handle {
   /**
    * A splash: water of the disc, down to `height` [m] >= 0 at its centre and as far as there is water, is heaped up on
    * the wet cells around it, out to twice the radius; volume is kept. Nothing happens where no wet cell is there to
-   * take it. Errors: "errorValue".
+   * take it. Errors: "errorValue", "errorDiverged".
    */
   splash(x: number, y: number, radius: number, height: number): void;
 
   /**
    * Adds an impulse (x, y) [N s] over a disc: a face's velocity changes by its share of it / the mass of water at it,
-   * shares being in proportion to that mass too; on dry faces nothing happens. Errors: "errorValue".
+   * shares in proportion to that mass too; on dry faces nothing happens. Errors: "errorValue", "errorDiverged".
    */
   impulse(x: number, y: number, radius: number, impulseX: number, impulseY: number): void;
 

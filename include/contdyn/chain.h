@@ -394,7 +394,7 @@ CD_API cd_status cd_chain_view(const cd_chain* chain, cd_field field, const void
 /* ---- acting on it ------------------------------------------------------------------------------------------------ */
 
 /* Adds impulse [N s], one number per component, to a node: its velocity changes by impulse / mass, in a welded group
- * by impulse / the group's mass; a held node takes none. Errors: CD_ERROR_RANGE, CD_ERROR_VALUE. */
+ * by impulse / the group's mass; a held node takes none. Errors: CD_ERROR_RANGE, CD_ERROR_VALUE, CD_ERROR_DIVERGED. */
 CD_API cd_status cd_chain_impulse(cd_chain* chain, size_t strand, size_t node, const double* impulse, size_t count);
 
 /* Moves a strand as a whole, as if it had always been there: every position and target becomes rotation * x + offset,

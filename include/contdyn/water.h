@@ -247,12 +247,12 @@ CD_API cd_status cd_water_view(const cd_water* water, cd_field field, const void
  * (1 - (distance / radius)^2)^2 from the centre, and are not spread round a periodic side. */
 
 /* Adds volume [m^3] over a disc, or takes it if negative, as far as there is water in each cell's share. out_added,
- * which may be null, tells what it came to. The account counts it. Errors: CD_ERROR_VALUE. */
+ * which may be null, tells what it came to. The account counts it. Errors: CD_ERROR_VALUE, CD_ERROR_DIVERGED. */
 CD_API cd_status cd_water_add_volume(cd_water* water, double x, double y, double radius, double volume,
                                      double* out_added);
 
 /* Adds volume [m^3] evenly over the cells there of a rectangle, or takes it; out_added as above.
- * Errors: CD_ERROR_RANGE; CD_ERROR_VALUE. */
+ * Errors: CD_ERROR_RANGE; CD_ERROR_VALUE, CD_ERROR_DIVERGED. */
 CD_API cd_status cd_water_add_volume_rectangle(cd_water* water, size_t first_x, size_t first_y, size_t n_x, size_t n_y,
                                                double volume, double* out_added);
 
@@ -266,11 +266,11 @@ CD_API cd_status cd_water_add_source_rectangle(cd_water* water, size_t first_x, 
 
 /* A splash: water of the disc, down to `height` [m] >= 0 at its centre and as far as there is water, is heaped up on
  * the wet cells around it, out to twice the radius; volume is kept. Nothing happens where no wet cell is there to
- * take it. Errors: CD_ERROR_VALUE. */
+ * take it. Errors: CD_ERROR_VALUE, CD_ERROR_DIVERGED. */
 CD_API cd_status cd_water_splash(cd_water* water, double x, double y, double radius, double height);
 
 /* Adds an impulse (x, y) [N s] over a disc: a face's velocity changes by its share of it / the mass of water at it,
- * shares being in proportion to that mass too; on dry faces nothing happens. Errors: CD_ERROR_VALUE. */
+ * shares in proportion to that mass too; on dry faces nothing happens. Errors: CD_ERROR_VALUE, CD_ERROR_DIVERGED. */
 CD_API cd_status cd_water_impulse(cd_water* water, double x, double y, double radius, double impulse_x,
                                   double impulse_y);
 

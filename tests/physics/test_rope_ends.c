@@ -4,7 +4,7 @@
 #include <string.h>
 
 #include "check.h"
-#include "reference.h"
+#include "loads.h"
 
 enum { MOST = 40, TAIL = 3, STEPS = 3 };
 
@@ -44,18 +44,6 @@ static struct scene scene_of(uint64_t number) {
     return s;
 }
 
-/* A ball of 0.5 m about the collider's origin. */
-static void ball(void* user, double time, size_t count, size_t components, const double* x, double* out, double* way) {
-    (void)user, (void)time;
-    for (size_t i = 0; i < count; ++i) {
-        double size = 0;
-        for (size_t k = 0; k < components; ++k) size += x[i * components + k] * x[i * components + k];
-        for (size_t k = 0; k < components; ++k)
-            way[i * components + k] = size > 0 ? x[i * components + k] / sqrt(size) : k == 0;
-        out[i] = sqrt(size) - 0.5;
-    }
-}
-
 static void put_field(cd_chain* chain, cd_field field, size_t strand, int at, const double* values, int count) {
     ok(cd_chain_write_f64(chain, field, strand, 1, (size_t)at, 1, values, (size_t)count));
 }
@@ -86,7 +74,8 @@ static int run(const struct scene* s, struct way way, double x[MOST][3], double*
     if (s->bend > 0) ok(cd_chain_enable_field(chain, CD_BEND));
     if (s->angle[0] != 0) ok(cd_chain_enable_field(chain, CD_REST_ANGLE));
     if (s->touches) {
-        const cd_distance shape = {NULL, ball};
+        static double radius = 0.5;
+        const cd_distance shape = {&radius, ball};
         ok(cd_chain_set_colliders(chain, 2));
         ok(cd_chain_set_plane(chain, 0, below, up, components, 0.3));
         ok(cd_chain_set_callback(chain, 1, &shape, beside, components, 0.5));

@@ -3,14 +3,13 @@
 #include <string.h>
 
 #include "check.h"
-#include "reference.h"
+#include "loads.h"
 
 enum { MOST = 9 * 24, COLLIDERS = 5 };
 
 static void cross(const double* a, const double* b, double* out) {
     for (int k = 0; k < 3; ++k) out[k] = a[(k + 1) % 3] * b[(k + 2) % 3] - a[(k + 2) % 3] * b[(k + 1) % 3];
 }
-static double size_of(const double* a) { return sqrt(a[0] * a[0] + a[1] * a[1] + a[2] * a[2]); }
 static void get_load(const cd_chain* chain, size_t index, double* out) {
     ok(cd_chain_get_collider_load(chain, index, out, 6));
 }
@@ -23,25 +22,13 @@ static void get_sum(const cd_chain* chain, double* out) {
     for (size_t i = 0; i < count; ++i) {
         double one[6];
         get_load(chain, i, one);
-        for (int k = 0; k < 6; ++k) out[k] += one[k];
+        add_load(out, one);
     }
 }
 
 /* ---- Newton's third law in random scenes -------------------------------------------------------------------------- */
 
-static const double ball_radius = 0.3;
-static void ball(void* user, double time, size_t count, size_t components, const double* x, double* distances,
-                 double* normals) {
-    (void)user, (void)time;
-    for (size_t i = 0; i < count; ++i) {
-        double square = 0;
-        for (size_t k = 0; k < components; ++k) square += x[i * components + k] * x[i * components + k];
-        const double r = sqrt(square);
-        distances[i] = r - ball_radius;
-        for (size_t k = 0; k < components; ++k)
-            normals[i * components + k] = r > 0 ? x[i * components + k] / r : k == 0;
-    }
-}
+static double ball_radius = 0.3;
 
 struct scene {
     cd_chain* chain;
@@ -57,8 +44,6 @@ static void read_state(struct scene* s) {
     for (size_t i = 0; i < all; ++i)
         for (size_t k = 0; k < 3; ++k) s->x[i][k] = k < n ? x[i * n + k] : 0, s->v[i][k] = k < n ? v[i * n + k] : 0;
 }
-
-static double part(uint64_t* draw) { return 0.5 * (random_number(draw) + 1); } /* from 0 to 1 */
 
 /* Ropes or rods of every kind above bodies of every kind, in the air. The last component is up. */
 static void build(struct scene* s, uint64_t seed, cd_precision precision, int held) {
@@ -112,7 +97,7 @@ static void build(struct scene* s, uint64_t seed, cd_precision precision, int he
     double velocity[3] = {part(&draw) - 0.5, part(&draw) - 0.5, 0};
     if (part(&draw) < 0.5) ok(cd_chain_set_collider_velocity(c, 1, velocity, n));
     const double origin[3] = {0.7, 0, 0};
-    ok(cd_chain_set_callback(c, 2, &(cd_distance){NULL, ball}, origin, n, friction));
+    ok(cd_chain_set_callback(c, 2, &(cd_distance){&ball_radius, ball}, origin, n, friction));
     double heights[36];
     for (int i = 0; i < 36; ++i) heights[i] = 0.2 * part(&draw);
     const double corner[3] = {-0.6, n == 3 ? -0.6 : -0.1, -0.1};

@@ -1856,7 +1856,7 @@ namespace Contdyn
 
         /// <summary>Adds impulse [N s], one number per component, to a node: its velocity changes by impulse / mass, in
         /// a welded group by impulse / the group's mass; a held node takes none. Errors: CD_ERROR_RANGE,
-        /// CD_ERROR_VALUE.</summary>
+        /// CD_ERROR_VALUE, CD_ERROR_DIVERGED.</summary>
         public void Impulse(long strand, long node, params double[] impulse)
         {
             fixed (double* impulsePointer = impulse)
@@ -1866,7 +1866,7 @@ namespace Contdyn
 #if CONTDYN_SPANS
         /// <summary>Adds impulse [N s], one number per component, to a node: its velocity changes by impulse / mass, in
         /// a welded group by impulse / the group's mass; a held node takes none. Errors: CD_ERROR_RANGE,
-        /// CD_ERROR_VALUE.</summary>
+        /// CD_ERROR_VALUE, CD_ERROR_DIVERGED.</summary>
         public void Impulse(long strand, long node, ReadOnlySpan<double> impulse)
         {
             fixed (double* impulsePointer = &MemoryMarshal.GetReference(impulse))
@@ -3776,11 +3776,11 @@ namespace Contdyn
             return data;
         }
 
-        /// <summary>Adds impulse [N s], one number per component, spread over the nodes that are less than `radius`
-        /// springs away from the place (u, v), counted on the lattice and not round a ring, by the weights (1 -
-        /// (distance / radius)^2)^2, which are scaled to sum to 1; all on the nearest node if there is none. A node's
-        /// velocity changes by its share / its mass; held and absent nodes lose it. u in [0, nu], v in [0, nv], radius
-        /// &gt;= 0. Errors: CD_ERROR_RANGE, CD_ERROR_VALUE.</summary>
+        /// <summary>Adds impulse [N s], one number per component, spread over the nodes less than `radius` springs away
+        /// from the place (u, v), counted on the lattice and not round a ring, by weights (1 - (distance /
+        /// radius)^2)^2, scaled to sum to 1; all on the nearest node if there is none. A node's velocity changes by its
+        /// share / its mass; held and absent nodes lose it. u in [0, nu], v in [0, nv], radius &gt;= 0. Errors:
+        /// CD_ERROR_RANGE, CD_ERROR_VALUE, CD_ERROR_DIVERGED.</summary>
         public void Impulse(double u, double v, double radius, params double[] impulse)
         {
             fixed (double* impulsePointer = impulse)
@@ -3788,11 +3788,11 @@ namespace Contdyn
         }
 
 #if CONTDYN_SPANS
-        /// <summary>Adds impulse [N s], one number per component, spread over the nodes that are less than `radius`
-        /// springs away from the place (u, v), counted on the lattice and not round a ring, by the weights (1 -
-        /// (distance / radius)^2)^2, which are scaled to sum to 1; all on the nearest node if there is none. A node's
-        /// velocity changes by its share / its mass; held and absent nodes lose it. u in [0, nu], v in [0, nv], radius
-        /// &gt;= 0. Errors: CD_ERROR_RANGE, CD_ERROR_VALUE.</summary>
+        /// <summary>Adds impulse [N s], one number per component, spread over the nodes less than `radius` springs away
+        /// from the place (u, v), counted on the lattice and not round a ring, by weights (1 - (distance /
+        /// radius)^2)^2, scaled to sum to 1; all on the nearest node if there is none. A node's velocity changes by its
+        /// share / its mass; held and absent nodes lose it. u in [0, nu], v in [0, nv], radius &gt;= 0. Errors:
+        /// CD_ERROR_RANGE, CD_ERROR_VALUE, CD_ERROR_DIVERGED.</summary>
         public void Impulse(double u, double v, double radius, ReadOnlySpan<double> impulse)
         {
             fixed (double* impulsePointer = &MemoryMarshal.GetReference(impulse))
@@ -4936,8 +4936,8 @@ namespace Contdyn
         }
 
         /// <summary>Adds volume [m^3] over a disc, or takes it if negative, as far as there is water in each cell's
-        /// share. out_added, which may be null, tells what it came to. The account counts it. Errors:
-        /// CD_ERROR_VALUE.</summary>
+        /// share. out_added, which may be null, tells what it came to. The account counts it. Errors: CD_ERROR_VALUE,
+        /// CD_ERROR_DIVERGED.</summary>
         public double AddVolume(double x, double y, double radius, double volume)
         {
             double outAdded;
@@ -4947,7 +4947,7 @@ namespace Contdyn
         }
 
         /// <summary>Adds volume [m^3] evenly over the cells there of a rectangle, or takes it; out_added as above.
-        /// Errors: CD_ERROR_RANGE; CD_ERROR_VALUE.</summary>
+        /// Errors: CD_ERROR_RANGE; CD_ERROR_VALUE, CD_ERROR_DIVERGED.</summary>
         public double AddVolumeRectangle(long firstX, long firstY, long nX, long nY, double volume)
         {
             double outAdded;
@@ -4980,7 +4980,7 @@ namespace Contdyn
 
         /// <summary>A splash: water of the disc, down to `height` [m] &gt;= 0 at its centre and as far as there is
         /// water, is heaped up on the wet cells around it, out to twice the radius; volume is kept. Nothing happens
-        /// where no wet cell is there to take it. Errors: CD_ERROR_VALUE.</summary>
+        /// where no wet cell is there to take it. Errors: CD_ERROR_VALUE, CD_ERROR_DIVERGED.</summary>
         public void Splash(double x, double y, double radius, double height)
         {
             Changed();
@@ -4988,8 +4988,8 @@ namespace Contdyn
         }
 
         /// <summary>Adds an impulse (x, y) [N s] over a disc: a face's velocity changes by its share of it / the mass
-        /// of water at it, shares being in proportion to that mass too; on dry faces nothing happens. Errors:
-        /// CD_ERROR_VALUE.</summary>
+        /// of water at it, shares in proportion to that mass too; on dry faces nothing happens. Errors: CD_ERROR_VALUE,
+        /// CD_ERROR_DIVERGED.</summary>
         public void Impulse(double x, double y, double radius, double impulseX, double impulseY)
         {
             Changed();

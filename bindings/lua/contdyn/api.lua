@@ -1601,7 +1601,7 @@ function Chain:view(field)
 end
 
 -- Adds impulse [N s], one number per component, to a node: its velocity changes by impulse / mass, in a welded group by
--- impulse / the group's mass; a held node takes none. Errors: CD_ERROR_RANGE, CD_ERROR_VALUE.
+-- impulse / the group's mass; a held node takes none. Errors: CD_ERROR_RANGE, CD_ERROR_VALUE, CD_ERROR_DIVERGED.
 function Chain:impulse(strand, node, impulse)
   local where = "cd_chain_impulse"
   strand = integer_in(strand, where, "strand")
@@ -2853,10 +2853,10 @@ function Membrane:view(field)
   end, 3)
 end
 
--- Adds impulse [N s], one number per component, spread over the nodes that are less than `radius` springs away from the
--- place (u, v), counted on the lattice and not round a ring, by the weights (1 - (distance / radius)^2)^2, which are
--- scaled to sum to 1; all on the nearest node if there is none. A node's velocity changes by its share / its mass; held
--- and absent nodes lose it. u in [0, nu], v in [0, nv], radius >= 0. Errors: CD_ERROR_RANGE, CD_ERROR_VALUE.
+-- Adds impulse [N s], one number per component, spread over the nodes less than `radius` springs away from the place
+-- (u, v), counted on the lattice and not round a ring, by weights (1 - (distance / radius)^2)^2, scaled to sum to 1;
+-- all on the nearest node if there is none. A node's velocity changes by its share / its mass; held and absent nodes
+-- lose it. u in [0, nu], v in [0, nv], radius >= 0. Errors: CD_ERROR_RANGE, CD_ERROR_VALUE, CD_ERROR_DIVERGED.
 function Membrane:impulse(u, v, radius, impulse)
   local where = "cd_membrane_impulse"
   u = number_in(u, where, "u")
@@ -3553,7 +3553,7 @@ function Water:view(field)
 end
 
 -- Adds volume [m^3] over a disc, or takes it if negative, as far as there is water in each cell's share. out_added,
--- which may be null, tells what it came to. The account counts it. Errors: CD_ERROR_VALUE.
+-- which may be null, tells what it came to. The account counts it. Errors: CD_ERROR_VALUE, CD_ERROR_DIVERGED.
 function Water:add_volume(x, y, radius, volume)
   local where = "cd_water_add_volume"
   x = number_in(x, where, "x")
@@ -3567,7 +3567,7 @@ function Water:add_volume(x, y, radius, volume)
 end
 
 -- Adds volume [m^3] evenly over the cells there of a rectangle, or takes it; out_added as above. Errors:
--- CD_ERROR_RANGE; CD_ERROR_VALUE.
+-- CD_ERROR_RANGE; CD_ERROR_VALUE, CD_ERROR_DIVERGED.
 function Water:add_volume_rectangle(first_x, first_y, n_x, n_y, volume)
   local where = "cd_water_add_volume_rectangle"
   first_x = integer_in(first_x, where, "first_x")
@@ -3607,7 +3607,7 @@ end
 
 -- A splash: water of the disc, down to `height` [m] >= 0 at its centre and as far as there is water, is heaped up on
 -- the wet cells around it, out to twice the radius; volume is kept. Nothing happens where no wet cell is there to take
--- it. Errors: CD_ERROR_VALUE.
+-- it. Errors: CD_ERROR_VALUE, CD_ERROR_DIVERGED.
 function Water:splash(x, y, radius, height)
   local where = "cd_water_splash"
   x = number_in(x, where, "x")
@@ -3619,7 +3619,7 @@ function Water:splash(x, y, radius, height)
 end
 
 -- Adds an impulse (x, y) [N s] over a disc: a face's velocity changes by its share of it / the mass of water at it,
--- shares being in proportion to that mass too; on dry faces nothing happens. Errors: CD_ERROR_VALUE.
+-- shares in proportion to that mass too; on dry faces nothing happens. Errors: CD_ERROR_VALUE, CD_ERROR_DIVERGED.
 function Water:impulse(x, y, radius, impulse_x, impulse_y)
   local where = "cd_water_impulse"
   x = number_in(x, where, "x")

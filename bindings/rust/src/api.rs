@@ -1520,7 +1520,8 @@ impl Chain {
     }
 
     /// Adds impulse \[N s\], one number per component, to a node: its velocity changes by impulse / mass, in a welded
-    /// group by impulse / the group's mass; a held node takes none. Errors: CD_ERROR_RANGE, CD_ERROR_VALUE.
+    /// group by impulse / the group's mass; a held node takes none. Errors: CD_ERROR_RANGE, CD_ERROR_VALUE,
+    /// CD_ERROR_DIVERGED.
     pub fn impulse(&mut self, strand: usize, node: usize, impulse: &[f64]) -> Result<()> {
         let count = count_of(impulse.len(), 1, "cd_chain_impulse", "impulse")?;
         check(unsafe { sys::cd_chain_impulse(self.as_ptr(), strand, node, impulse.as_ptr(), count) })
@@ -2804,11 +2805,11 @@ impl Membrane {
         Ok(View::new(data.cast(), strides, self.whole(field)?, self.get_shape()?.precision))
     }
 
-    /// Adds impulse \[N s\], one number per component, spread over the nodes that are less than `radius` springs away
-    /// from the place (u, v), counted on the lattice and not round a ring, by the weights (1 - (distance /
-    /// radius)^2)^2, which are scaled to sum to 1; all on the nearest node if there is none. A node's velocity changes
-    /// by its share / its mass; held and absent nodes lose it. u in \[0, nu\], v in \[0, nv\], radius \>= 0. Errors:
-    /// CD_ERROR_RANGE, CD_ERROR_VALUE.
+    /// Adds impulse \[N s\], one number per component, spread over the nodes less than `radius` springs away from the
+    /// place (u, v), counted on the lattice and not round a ring, by weights (1 - (distance / radius)^2)^2, scaled to
+    /// sum to 1; all on the nearest node if there is none. A node's velocity changes by its share / its mass; held and
+    /// absent nodes lose it. u in \[0, nu\], v in \[0, nv\], radius \>= 0. Errors: CD_ERROR_RANGE, CD_ERROR_VALUE,
+    /// CD_ERROR_DIVERGED.
     pub fn impulse(&mut self, u: f64, v: f64, radius: f64, impulse: &[f64]) -> Result<()> {
         let count = count_of(impulse.len(), 1, "cd_membrane_impulse", "impulse")?;
         check(unsafe { sys::cd_membrane_impulse(self.as_ptr(), u, v, radius, impulse.as_ptr(), count) })
@@ -3560,7 +3561,8 @@ impl Water {
     }
 
     /// Adds volume \[m^3\] over a disc, or takes it if negative, as far as there is water in each cell's share.
-    /// out_added, which may be null, tells what it came to. The account counts it. Errors: CD_ERROR_VALUE.
+    /// out_added, which may be null, tells what it came to. The account counts it. Errors: CD_ERROR_VALUE,
+    /// CD_ERROR_DIVERGED.
     pub fn add_volume(&mut self, x: f64, y: f64, radius: f64, volume: f64) -> Result<f64> {
         let mut out_added = 0.0;
         check(unsafe { sys::cd_water_add_volume(self.as_ptr(), x, y, radius, volume, &mut out_added) })?;
@@ -3568,7 +3570,7 @@ impl Water {
     }
 
     /// Adds volume \[m^3\] evenly over the cells there of a rectangle, or takes it; out_added as above. Errors:
-    /// CD_ERROR_RANGE; CD_ERROR_VALUE.
+    /// CD_ERROR_RANGE; CD_ERROR_VALUE, CD_ERROR_DIVERGED.
     pub fn add_volume_rectangle(&mut self, first_x: usize, first_y: usize, n_x: usize, n_y: usize,
         volume: f64) -> Result<f64> {
         let mut out_added = 0.0;
@@ -3591,13 +3593,14 @@ impl Water {
 
     /// A splash: water of the disc, down to `height` \[m\] \>= 0 at its centre and as far as there is water, is heaped
     /// up on the wet cells around it, out to twice the radius; volume is kept. Nothing happens where no wet cell is
-    /// there to take it. Errors: CD_ERROR_VALUE.
+    /// there to take it. Errors: CD_ERROR_VALUE, CD_ERROR_DIVERGED.
     pub fn splash(&mut self, x: f64, y: f64, radius: f64, height: f64) -> Result<()> {
         check(unsafe { sys::cd_water_splash(self.as_ptr(), x, y, radius, height) })
     }
 
     /// Adds an impulse (x, y) \[N s\] over a disc: a face's velocity changes by its share of it / the mass of water at
-    /// it, shares being in proportion to that mass too; on dry faces nothing happens. Errors: CD_ERROR_VALUE.
+    /// it, shares in proportion to that mass too; on dry faces nothing happens. Errors: CD_ERROR_VALUE,
+    /// CD_ERROR_DIVERGED.
     pub fn impulse(&mut self, x: f64, y: f64, radius: f64, impulse_x: f64, impulse_y: f64) -> Result<()> {
         check(unsafe { sys::cd_water_impulse(self.as_ptr(), x, y, radius, impulse_x, impulse_y) })
     }
