@@ -79,23 +79,31 @@ CD_INLINED inline Face WaterLine::inner_face(size_t i, L stream) {
     return {let(courant * through), let(of_left + s_left), let(s_right - of_right)};
 }
 
+// The depth in which the discharge at an end comes in beside a cell of that depth.
+inline L WaterLine::inflow_depth(const WaterEnd& end, L cell) const {
+    if (end.depth > 0) return L::splat(end.depth);
+    return larger(cell, L::splat(critical_depth(end.discharge, sweep.gravity)));
+}
+
 // A face at a side of the scene.
 __attribute__((noinline)) inline Face WaterLine::end_face(int e) {
     const L none{};
     const WaterEnd& end = sweep.end[e];
     if (end.kind == End::kWall) return {none, none, none};
     const size_t face = e ? n : 0, inside = e ? n - 1 : 0, next = e ? n - 1 : 1; // next: face
-    const double outward = e ? 1 : -1, critical = critical_depth(end.discharge, sweep.gravity);
+    const double outward = e ? 1 : -1;
     const SideWaves waves{sweep.gravity, sweep.advected()};
     double d[kLines], b[kLines], u[kLines], q[kLines], crossed[kLines], run[kLines];
     double discharge[kLines], slope[kLines], half_cell[kLines];
     depth[inside].store(d), bed[inside].store(b), (outward * velocity[next]).store(u);
     (outward * velocity[face]).store(crossed), courant.store(run);
     ((0.5 * outward) * (velocity[next] * (depth[left(next)] + depth[right(next)]))).store(q);
+    double comes_in[kLines]; // of what an inflow brings: its depth
+    inflow_depth(end, depth[inside]).store(comes_in);
     for (int k = 0; k < kLines; ++k) {
         const SideCell cell{d[k], u[k], q[k], crossed[k]};
         const double outside = end.level > b[k] ? end.level - b[k] : 0;
-        const SideFlow flow = end.kind == End::kInflow ? SideFlow{-end.discharge, 0, d[k] > critical ? d[k] : critical}
+        const SideFlow flow = end.kind == End::kInflow ? SideFlow{-end.discharge, 0, comes_in[k]}
                               : end.kind == End::kOpen ? waves.open(cell, outside)
                                                        : waves.level(cell, outside, end.rise / sweep.courant,
                                                                      waves.follows(outside, run[k], sweep.theta));
