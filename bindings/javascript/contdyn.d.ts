@@ -2094,22 +2094,22 @@ export class Water extends Handle {
   /**
    * Depth of an inflow [m], 0 or in [1e-6, 1e30]; default 0: that of the cell at the side. Else advected water comes in
    * at
-   * the speed of its discharge in that depth, as under a gate so far open: faster than its waves it has that depth in
+   * the speed of its discharge in that depth, as under a gate so far open: faster than its waves, it has that depth in
    * the
-   * first cell; what is slower, or drowns the gate, is as deep as what comes after makes it. Other sides, outflow and
-   * linear
-   * momentum have no use for it; setSide keeps it. Errors: "errorEnum"; "errorValue".
+   * first cell; if slower, or if it drowns the gate, that of what comes after. Other sides, outflow and linear momentum
+   * do
+   * not use it; setSide keeps it. Errors: "errorEnum"; "errorValue".
    */
   setInflowDepth(side: Side, depth: number): void;
 
   /**
    * Depth of an inflow [m], 0 or in [1e-6, 1e30]; default 0: that of the cell at the side. Else advected water comes in
    * at
-   * the speed of its discharge in that depth, as under a gate so far open: faster than its waves it has that depth in
+   * the speed of its discharge in that depth, as under a gate so far open: faster than its waves, it has that depth in
    * the
-   * first cell; what is slower, or drowns the gate, is as deep as what comes after makes it. Other sides, outflow and
-   * linear
-   * momentum have no use for it; setSide keeps it. Errors: "errorEnum"; "errorValue".
+   * first cell; if slower, or if it drowns the gate, that of what comes after. Other sides, outflow and linear momentum
+   * do
+   * not use it; setSide keeps it. Errors: "errorEnum"; "errorValue".
    */
   getInflowDepth(side: Side): number;
 

@@ -188,9 +188,9 @@ CD_API cd_status cd_water_get_side(const cd_water* water, cd_side side, cd_borde
                                    double* out_rate);
 
 /* Depth of an inflow [m], 0 or in [1e-6, 1e30]; default 0: that of the cell at the side. Else advected water comes in at
- * the speed of its discharge in that depth, as under a gate so far open: faster than its waves it has that depth in the
- * first cell; what is slower, or drowns the gate, is as deep as what comes after makes it. Other sides, outflow and linear
- * momentum have no use for it; cd_water_set_side keeps it. Errors: CD_ERROR_ENUM; CD_ERROR_VALUE. */
+ * the speed of its discharge in that depth, as under a gate so far open: faster than its waves, it has that depth in the
+ * first cell; if slower, or if it drowns the gate, that of what comes after. Other sides, outflow and linear momentum do
+ * not use it; cd_water_set_side keeps it. Errors: CD_ERROR_ENUM; CD_ERROR_VALUE. */
 CD_API cd_status cd_water_set_inflow_depth(cd_water* water, cd_side side, double depth);
 CD_API cd_status cd_water_get_inflow_depth(const cd_water* water, cd_side side, double* out_depth);
 

@@ -4743,9 +4743,9 @@ namespace Contdyn
 
         /// <summary>Depth of an inflow [m], 0 or in [1e-6, 1e30]; default 0: that of the cell at the side. Else
         /// advected water comes in at the speed of its discharge in that depth, as under a gate so far open: faster
-        /// than its waves it has that depth in the first cell; what is slower, or drowns the gate, is as deep as what
-        /// comes after makes it. Other sides, outflow and linear momentum have no use for it; cd_water_set_side keeps
-        /// it. Errors: CD_ERROR_ENUM; CD_ERROR_VALUE.</summary>
+        /// than its waves, it has that depth in the first cell; if slower, or if it drowns the gate, that of what comes
+        /// after. Other sides, outflow and linear momentum do not use it; cd_water_set_side keeps it. Errors:
+        /// CD_ERROR_ENUM; CD_ERROR_VALUE.</summary>
         public void SetInflowDepth(Side side, double depth)
         {
             Changed();
@@ -4754,9 +4754,9 @@ namespace Contdyn
 
         /// <summary>Depth of an inflow [m], 0 or in [1e-6, 1e30]; default 0: that of the cell at the side. Else
         /// advected water comes in at the speed of its discharge in that depth, as under a gate so far open: faster
-        /// than its waves it has that depth in the first cell; what is slower, or drowns the gate, is as deep as what
-        /// comes after makes it. Other sides, outflow and linear momentum have no use for it; cd_water_set_side keeps
-        /// it. Errors: CD_ERROR_ENUM; CD_ERROR_VALUE.</summary>
+        /// than its waves, it has that depth in the first cell; if slower, or if it drowns the gate, that of what comes
+        /// after. Other sides, outflow and linear momentum do not use it; cd_water_set_side keeps it. Errors:
+        /// CD_ERROR_ENUM; CD_ERROR_VALUE.</summary>
         public double GetInflowDepth(Side side)
         {
             double outDepth;

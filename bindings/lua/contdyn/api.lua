@@ -3439,9 +3439,9 @@ function Water:get_side(side)
 end
 
 -- Depth of an inflow [m], 0 or in [1e-6, 1e30]; default 0: that of the cell at the side. Else advected water comes in
--- at the speed of its discharge in that depth, as under a gate so far open: faster than its waves it has that depth in
--- the first cell; what is slower, or drowns the gate, is as deep as what comes after makes it. Other sides, outflow and
--- linear momentum have no use for it; cd_water_set_side keeps it. Errors: CD_ERROR_ENUM; CD_ERROR_VALUE.
+-- at the speed of its discharge in that depth, as under a gate so far open: faster than its waves, it has that depth in
+-- the first cell; if slower, or if it drowns the gate, that of what comes after. Other sides, outflow and linear
+-- momentum do not use it; cd_water_set_side keeps it. Errors: CD_ERROR_ENUM; CD_ERROR_VALUE.
 function Water:set_inflow_depth(side, depth)
   local where = "cd_water_set_inflow_depth"
   side = enum_in("cd_side", side, where, "side")
@@ -3451,9 +3451,9 @@ function Water:set_inflow_depth(side, depth)
 end
 
 -- Depth of an inflow [m], 0 or in [1e-6, 1e30]; default 0: that of the cell at the side. Else advected water comes in
--- at the speed of its discharge in that depth, as under a gate so far open: faster than its waves it has that depth in
--- the first cell; what is slower, or drowns the gate, is as deep as what comes after makes it. Other sides, outflow and
--- linear momentum have no use for it; cd_water_set_side keeps it. Errors: CD_ERROR_ENUM; CD_ERROR_VALUE.
+-- at the speed of its discharge in that depth, as under a gate so far open: faster than its waves, it has that depth in
+-- the first cell; if slower, or if it drowns the gate, that of what comes after. Other sides, outflow and linear
+-- momentum do not use it; cd_water_set_side keeps it. Errors: CD_ERROR_ENUM; CD_ERROR_VALUE.
 function Water:get_inflow_depth(side)
   local where = "cd_water_get_inflow_depth"
   side = enum_in("cd_side", side, where, "side")

@@ -3479,19 +3479,17 @@ impl Water {
     }
 
     /// Depth of an inflow \[m\], 0 or in \[1e-6, 1e30\]; default 0: that of the cell at the side. Else advected water
-    /// comes in at the speed of its discharge in that depth, as under a gate so far open: faster than its waves it has
-    /// that depth in the first cell; what is slower, or drowns the gate, is as deep as what comes after makes it. Other
-    /// sides, outflow and linear momentum have no use for it; cd_water_set_side keeps it. Errors: CD_ERROR_ENUM;
-    /// CD_ERROR_VALUE.
+    /// comes in at the speed of its discharge in that depth, as under a gate so far open: faster than its waves, it has
+    /// that depth in the first cell; if slower, or if it drowns the gate, that of what comes after. Other sides,
+    /// outflow and linear momentum do not use it; cd_water_set_side keeps it. Errors: CD_ERROR_ENUM; CD_ERROR_VALUE.
     pub fn set_inflow_depth(&mut self, side: Side, depth: f64) -> Result<()> {
         check(unsafe { sys::cd_water_set_inflow_depth(self.as_ptr(), side as i32, depth) })
     }
 
     /// Depth of an inflow \[m\], 0 or in \[1e-6, 1e30\]; default 0: that of the cell at the side. Else advected water
-    /// comes in at the speed of its discharge in that depth, as under a gate so far open: faster than its waves it has
-    /// that depth in the first cell; what is slower, or drowns the gate, is as deep as what comes after makes it. Other
-    /// sides, outflow and linear momentum have no use for it; cd_water_set_side keeps it. Errors: CD_ERROR_ENUM;
-    /// CD_ERROR_VALUE.
+    /// comes in at the speed of its discharge in that depth, as under a gate so far open: faster than its waves, it has
+    /// that depth in the first cell; if slower, or if it drowns the gate, that of what comes after. Other sides,
+    /// outflow and linear momentum do not use it; cd_water_set_side keeps it. Errors: CD_ERROR_ENUM; CD_ERROR_VALUE.
     pub fn get_inflow_depth(&self, side: Side) -> Result<f64> {
         let mut out_depth = 0.0;
         check(unsafe { sys::cd_water_get_inflow_depth(self.as_ptr(), side as i32, &mut out_depth) })?;
