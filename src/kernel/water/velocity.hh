@@ -180,9 +180,11 @@ inline void WaterLine::end_velocities() {
     for (int e = 0; e < 2; ++e) {
         const size_t face = e ? n : 0, inside = e ? n - 1 : 0;
         const bool is_given = sweep.end[e].depth > 0;
-        const L d = is_given ? side_depth[e] : larger(side_depth[e], 0.5 * (depth[inside] + after[inside]));
-        const L most =
-            is_given ? L::splat(__builtin_inf()) : larger(size_of(velocity[e ? n - 1 : 1]), root(sweep.gravity * d));
+        L d = side_depth[e], most = L::splat(__builtin_inf());
+        if (!is_given) {
+            d = larger(d, 0.5 * (depth[inside] + after[inside]));
+            most = larger(size_of(velocity[e ? n - 1 : 1]), root(sweep.gravity * d));
+        }
         const L run = courant * d; // 0 also of depths that have no digits left
         const L u = select(run, flux[face] / run, L{});
         speed.put(face, sweep.end[e].kind == End::kWall ? L{} : larger(-most, smaller(most, u)));
