@@ -2088,11 +2088,30 @@ export class Water extends Handle {
    */
   setSide(side: Side, kind: Border, value?: number, rate?: number): void;
 
-  /**
-   * The kind, and value and rate as of now; 0 where they mean nothing. Errors:
-   * "errorEnum".
-   */
+  /** Value and rate as of now; 0 where they mean nothing. Errors: "errorEnum". */
   getSide(side: Side): { kind: Border; value: number; rate: number };
+
+  /**
+   * Depth of an inflow [m], 0 or in [1e-6, 1e30]; default 0: that of the cell at the side. Else advected water comes in
+   * at
+   * the speed of its discharge in that depth, as under a gate so far open: faster than its waves, it has that depth in
+   * the
+   * first cell; if slower, or if it drowns the gate, that of what comes after. Other sides, outflow and linear momentum
+   * do
+   * not use it; setSide keeps it. Errors: "errorEnum"; "errorValue".
+   */
+  setInflowDepth(side: Side, depth: number): void;
+
+  /**
+   * Depth of an inflow [m], 0 or in [1e-6, 1e30]; default 0: that of the cell at the side. Else advected water comes in
+   * at
+   * the speed of its discharge in that depth, as under a gate so far open: faster than its waves, it has that depth in
+   * the
+   * first cell; if slower, or if it drowns the gate, that of what comes after. Other sides, outflow and linear momentum
+   * do
+   * not use it; setSide keeps it. Errors: "errorEnum"; "errorValue".
+   */
+  getInflowDepth(side: Side): number;
 
   /** What a write to "bed" leaves as it is; default "liftsWater". Errors: "errorEnum". */
   get bedRule(): BedRule;
@@ -2106,10 +2125,7 @@ export class Water extends Handle {
    */
   enableField(field: Field): void;
 
-  /**
-   * Switches a field off and releases its memory. Errors: "errorEnum"; "errorUnsupported" for a field that is always
-   * there.
-   */
+  /** Switches a field off and releases its memory. Errors: "errorEnum"; "errorUnsupported" if it is always there. */
   disableField(field: Field): void;
 
   /**
@@ -2201,8 +2217,8 @@ export class Water extends Handle {
 
   /**
    * A splash: water of the disc, down to `height` [m] >= 0 at its centre and as far as there is water, is heaped up on
-   * the wet cells around it, out to twice the radius; volume is kept. Nothing happens where no wet cell is there to
-   * take it. Errors: "errorValue", "errorDiverged".
+   * the
+   * wet cells around it, out to twice the radius, if there are any; volume is kept. Errors: "errorValue", _DIVERGED.
    */
   splash(x: number, y: number, radius: number, height: number): void;
 
@@ -2284,9 +2300,8 @@ export class Water extends Handle {
    * under
    * it; where there is no such cell, or the bed bears it, it displaces none. What it displaced before is not given
    * back:
-   * to move a hull set its pose.
-   * Errors: "errorValue"; "errorDisabled" if it has no mass, or no cell is under it, or gravity is 0;
-   * "errorDiverged" of a water that did.
+   * to move a hull set its pose. Errors: "errorValue"; "errorDisabled" if it has no mass, or no cell is under it, or
+   * gravity is 0; "errorDiverged" of a water that did.
    */
   launchHull(index: number, x: number, y: number, aheadX: number, aheadY: number): void;
 
@@ -2360,9 +2375,8 @@ export class Water extends Handle {
   getHullDrag(index: number): { along: number; across: number; friction: number };
 
   /**
-   * What water and bed did to a hull in the last step: 6 numbers, forces along x and y and up [N], moments of yaw,
-   * pitch
-   * and roll [N m].
+   * What a hull felt from water and bed in the last step: 6 numbers, forces x, y, up [N], moments yaw, pitch, roll [N
+   * m].
    */
   getHullLoad(index: number, count: number): Float64Array;
 
@@ -2411,7 +2425,7 @@ export class Water extends Handle {
 
   /**
    * What the last call of step had to hold back so that no cell gave more than it had and got: in how many
-   * cells, counted once per sweep and part, and how much water [m^3] went or came less through faces.
+   * cells, counted once per sweep and part, and how much less water [m^3] went through faces.
    */
   get limited(): { cells: number; volume: number };
 
@@ -2429,8 +2443,7 @@ export class Water extends Handle {
    * A step's time is in proportion to the cells awake, each up to half as dear again. A splash, a volume, an impulse, a
    * write of cells or faces and what is set of a hull wake what they touch; after any other call that may change the
    * water the next step looks at all of it, in half a step's time. Costs a byte for ten cells. The height is kept with
-   * the state.
-   * Errors: "errorValue"; "errorMemory".
+   * the state. Errors: "errorValue"; "errorMemory".
    */
   get sleep(): number;
   set sleep(value: number);

@@ -1,17 +1,13 @@
 """The rules that take_out.py takes out."""
 
-CLOTH = "../model/membrane_cloth.cpp"
-CLOTH_STEP = "../model/membrane_cloth_step.cpp"
+CLOTH, CLOTH_STEP = "../model/membrane_cloth.cpp", "../model/membrane_cloth_step.cpp"
 CLOTH_ACT = "../model/membrane_cloth_act.cpp"
 CLOTH_TEAR = "../model/membrane_cloth_tear.cpp"
-SLEEP = "../model/water_sleep.cpp"
-SURVEY = "../model/water_survey.cpp"
+SLEEP, SURVEY = "../model/water_sleep.cpp", "../model/water_survey.cpp"
 SLEEPS = ["physics_water_sleep"]
 BODIES = ["physics_sleep", "physics_sleep_colliders"]
-TOUCHES = ["physics_rope_contact"]
-OVERLAPS = ["physics_rope_overlaps"]
-HULL = "../model/water_hull.hh"
-HULL_PLATES = "../model/water_hull_plates.hh"
+TOUCHES, OVERLAPS = ["physics_rope_contact"], ["physics_rope_overlaps"]
+HULL, HULL_PLATES = "../model/water_hull.hh", "../model/water_hull_plates.hh"
 HULL_STEP = "../model/water_hull_step.cpp"
 
 # Name: file, what is there, what takes its place, tests to run (the first one that fails ends a rule).
@@ -99,6 +95,9 @@ RULES = {
         "water/line.hh", "return sweep.implicit ? larger(theta, L::splat(1) - part) : theta;", "return theta;", ["physics_water_forces"]),
     "what comes in at an end brings energy": (
         "water/velocity.hh", "if (!ring) most =", "if (false) most =", ["physics_water_sides", "stability_water_extremes"]),
+    "what comes in in a given depth has its speed from that": (
+        "water/velocity.hh", "const bool is_given = sweep.end[e].depth > 0;", "const bool is_given = false;",
+        ["physics_water_gates"]),
     "slopes of velocities within cells": (
         "water/momentum.hh", "const L part = smaller(run, positive(L::splat(1) - run)) * even_depth(cell);", "const L part = 0.0 * run;",
         ["physics_water_sides"]),
