@@ -738,14 +738,15 @@ export class Chain extends Handle {
   // give no energy. What falls on one does not bounce; what comes to rest stays. A node that lies inside when a step
   // begins comes out, and throws neither itself nor its strand. No node passes through a capsule that it meets by less
   // than a radius a step; faster ones may: take shorter steps. Where colliders overlap, a node may be caught between
-  // them: "errorTolerance". A strand that touches something makes that step with lambda = 1; sliding at the speed v
-  // round a body of the radius R, this brakes it as friction of the coefficient v dt / R would. Friction is Coulomb's:
-  // the coefficient times the force that presses a node on, times v / (v + 1e-4 m/s) at the speed v, to 1%; of the
-  // force
-  // after 50 iterations where a step is hard. So what it holds creeps: under half of what it can hold by 1e-4 m/s.
-  // Errors of all that set: "errorUnsupported" without a rest length; "errorRange" for an index that no collider
-  // has, or a count that is not the number of components; "errorValue"; "errorMemory" where a bed or a callback
-  // becomes something else.
+  // them, and where a rope lies across a body, its nodes come out on both sides: "errorTolerance". A strand that
+  // touches something makes that step with lambda = 1; sliding at the speed v round a body of the radius R, this brakes
+  // it as friction of the coefficient v dt / R would. Friction is Coulomb's: the coefficient times the force that
+  // presses
+  // a node on, times v / (v + 1e-4 m/s) at the speed v, to 1%; of the force after 50 iterations where a step is hard.
+  // So
+  // what it holds creeps: under half of what it can hold by 1e-4 m/s. Errors of all that set: "errorUnsupported"
+  // without a rest length; "errorRange" for an index that no collider has, or a count that is not the number of
+  // components; "errorValue"; "errorMemory" where a bed or a callback becomes something else.
 
   /**
    * How many colliders there are, 0 to 4096, default 0: new ones are "none", those that stay keep what they are.
@@ -906,7 +907,7 @@ export class Chain extends Handle {
 
   /**
    * Adds impulse [N s], one number per component, to a node: its velocity changes by impulse / mass, in a welded group
-   * by impulse / the group's mass; a held node takes none. Errors: "errorRange", "errorValue".
+   * by impulse / the group's mass; a held node takes none. Errors: "errorRange", "errorValue", "errorDiverged".
    */
   impulse(strand: number, node: number, impulse: Numbers): void;
 
@@ -1681,11 +1682,10 @@ export class Membrane extends Handle {
   // ---- acting on it -------------------------------------------------------------------------------------------------
 
   /**
-   * Adds impulse [N s], one number per component, spread over the nodes that are less than `radius` springs away from
-   * the place (u, v), counted on the lattice and not round a ring, by the weights (1 - (distance / radius)^2)^2, which
-   * are scaled to sum to 1; all on the nearest node if there is none. A node's velocity changes by its share / its
-   * mass;
-   * held and absent nodes lose it. u in [0, nu], v in [0, nv], radius >= 0. Errors: "errorRange", "errorValue".
+   * Adds impulse [N s], one number per component, spread over the nodes less than `radius` springs away from the place
+   * (u, v), counted on the lattice and not round a ring, by weights (1 - (distance / radius)^2)^2, scaled to sum to 1;
+   * all on the nearest node if there is none. A node's velocity changes by its share / its mass; held and absent nodes
+   * lose it. u in [0, nu], v in [0, nv], radius >= 0. Errors: "errorRange", "errorValue", "errorDiverged".
    */
   impulse(u: number, v: number, radius: number, impulse: Numbers): void;
 
@@ -2088,11 +2088,30 @@ export class Water extends Handle {
    */
   setSide(side: Side, kind: Border, value?: number, rate?: number): void;
 
-  /**
-   * The kind, and value and rate as of now; 0 where they mean nothing. Errors:
-   * "errorEnum".
-   */
+  /** Value and rate as of now; 0 where they mean nothing. Errors: "errorEnum". */
   getSide(side: Side): { kind: Border; value: number; rate: number };
+
+  /**
+   * Depth of an inflow [m], 0 or in [1e-6, 1e30]; default 0: that of the cell at the side. Else advected water comes in
+   * at
+   * the speed of its discharge in that depth, as under a gate so far open: faster than its waves, it has that depth in
+   * the
+   * first cell; if slower, or if it drowns the gate, that of what comes after. Other sides, outflow and linear momentum
+   * do
+   * not use it; setSide keeps it. Errors: "errorEnum"; "errorValue".
+   */
+  setInflowDepth(side: Side, depth: number): void;
+
+  /**
+   * Depth of an inflow [m], 0 or in [1e-6, 1e30]; default 0: that of the cell at the side. Else advected water comes in
+   * at
+   * the speed of its discharge in that depth, as under a gate so far open: faster than its waves, it has that depth in
+   * the
+   * first cell; if slower, or if it drowns the gate, that of what comes after. Other sides, outflow and linear momentum
+   * do
+   * not use it; setSide keeps it. Errors: "errorEnum"; "errorValue".
+   */
+  getInflowDepth(side: Side): number;
 
   /** What a write to "bed" leaves as it is; default "liftsWater". Errors: "errorEnum". */
   get bedRule(): BedRule;
@@ -2106,10 +2125,7 @@ export class Water extends Handle {
    */
   enableField(field: Field): void;
 
-  /**
-   * Switches a field off and releases its memory. Errors: "errorEnum"; "errorUnsupported" for a field that is always
-   * there.
-   */
+  /** Switches a field off and releases its memory. Errors: "errorEnum"; "errorUnsupported" if it is always there. */
   disableField(field: Field): void;
 
   /**
@@ -2180,13 +2196,13 @@ export class Water extends Handle {
 
   /**
    * Adds volume [m^3] over a disc, or takes it if negative, as far as there is water in each cell's share. added tells
-   * what it came to. The account counts it. Errors: "errorValue".
+   * what it came to. The account counts it. Errors: "errorValue", "errorDiverged".
    */
   addVolume(x: number, y: number, radius: number, volume: number): number;
 
   /**
    * Adds volume [m^3] evenly over the cells there of a rectangle, or takes it; added as above.
-   * Errors: "errorRange"; "errorValue".
+   * Errors: "errorRange"; "errorValue", "errorDiverged".
    */
   addVolumeRectangle(firstX: number, firstY: number, nX: number, nY: number, volume: number): number;
 
@@ -2201,14 +2217,14 @@ export class Water extends Handle {
 
   /**
    * A splash: water of the disc, down to `height` [m] >= 0 at its centre and as far as there is water, is heaped up on
-   * the wet cells around it, out to twice the radius; volume is kept. Nothing happens where no wet cell is there to
-   * take it. Errors: "errorValue".
+   * the
+   * wet cells around it, out to twice the radius, if there are any; volume is kept. Errors: "errorValue", _DIVERGED.
    */
   splash(x: number, y: number, radius: number, height: number): void;
 
   /**
    * Adds an impulse (x, y) [N s] over a disc: a face's velocity changes by its share of it / the mass of water at it,
-   * shares being in proportion to that mass too; on dry faces nothing happens. Errors: "errorValue".
+   * shares in proportion to that mass too; on dry faces nothing happens. Errors: "errorValue", "errorDiverged".
    */
   impulse(x: number, y: number, radius: number, impulseX: number, impulseY: number): void;
 
@@ -2284,9 +2300,8 @@ export class Water extends Handle {
    * under
    * it; where there is no such cell, or the bed bears it, it displaces none. What it displaced before is not given
    * back:
-   * to move a hull set its pose.
-   * Errors: "errorValue"; "errorDisabled" if it has no mass, or no cell is under it, or gravity is 0;
-   * "errorDiverged" of a water that did.
+   * to move a hull set its pose. Errors: "errorValue"; "errorDisabled" if it has no mass, or no cell is under it, or
+   * gravity is 0; "errorDiverged" of a water that did.
    */
   launchHull(index: number, x: number, y: number, aheadX: number, aheadY: number): void;
 
@@ -2360,9 +2375,8 @@ export class Water extends Handle {
   getHullDrag(index: number): { along: number; across: number; friction: number };
 
   /**
-   * What water and bed did to a hull in the last step: 6 numbers, forces along x and y and up [N], moments of yaw,
-   * pitch
-   * and roll [N m].
+   * What a hull felt from water and bed in the last step: 6 numbers, forces x, y, up [N], moments yaw, pitch, roll [N
+   * m].
    */
   getHullLoad(index: number, count: number): Float64Array;
 
@@ -2411,7 +2425,7 @@ export class Water extends Handle {
 
   /**
    * What the last call of step had to hold back so that no cell gave more than it had and got: in how many
-   * cells, counted once per sweep and part, and how much water [m^3] went or came less through faces.
+   * cells, counted once per sweep and part, and how much less water [m^3] went through faces.
    */
   get limited(): { cells: number; volume: number };
 
@@ -2429,8 +2443,7 @@ export class Water extends Handle {
    * A step's time is in proportion to the cells awake, each up to half as dear again. A splash, a volume, an impulse, a
    * write of cells or faces and what is set of a hull wake what they touch; after any other call that may change the
    * water the next step looks at all of it, in half a step's time. Costs a byte for ten cells. The height is kept with
-   * the state.
-   * Errors: "errorValue"; "errorMemory".
+   * the state. Errors: "errorValue"; "errorMemory".
    */
   get sleep(): number;
   set sleep(value: number);

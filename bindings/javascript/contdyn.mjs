@@ -1574,6 +1574,15 @@ export class Water extends Handle {
     };
   }
 
+  setInflowDepth(side, depth) {
+    check(wasm.cd_water_set_inflow_depth(addressOf(this, Water), member(Side, side, "side"), number(depth, "depth")));
+  }
+
+  getInflowDepth(side) {
+    check(wasm.cd_water_get_inflow_depth(addressOf(this, Water), member(Side, side, "side"), result(0)));
+    return real(0);
+  }
+
   get bedRule() {
     check(wasm.cd_water_get_bed_rule(addressOf(this, Water), result(0)));
     return nameOf(BedRule, integer(0));

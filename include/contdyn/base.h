@@ -10,6 +10,9 @@
  *   - An object holds nothing of its user's but what callback tables point to.
  *   - Nothing here prints, aborts or throws. cd_*_destroy(NULL) does nothing.
  *   - Distinct objects may be used from different threads at once; one object from one thread at a time.
+ *   - Calls expect floating point to be as C programs begin with it: rounded to nearest, and no exception trapped, as
+ *     steps make infinities and NaN on their way. Delphi and Free Pascal trap some: SetExceptionMask turns that off.
+ *     Whether the processor takes denormal numbers for 0 changes no bit.
  *   - Quantities are in SI units, or in any other consistent set: the library never converts.
  *   - Numbers that are no field's, such as places to sample, are double, whatever the object's precision.
  *   - All is there since 0.2.0, unless its comment names another version. Before 1.0 none of it is promised.

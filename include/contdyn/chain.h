@@ -251,13 +251,13 @@ CD_API cd_status cd_chain_get_convergence(const cd_chain* chain, size_t* out_ite
  * give no energy. What falls on one does not bounce; what comes to rest stays. A node that lies inside when a step
  * begins comes out, and throws neither itself nor its strand. No node passes through a capsule that it meets by less
  * than a radius a step; faster ones may: take shorter steps. Where colliders overlap, a node may be caught between
- * them: CD_ERROR_TOLERANCE. A strand that touches something makes that step with lambda = 1; sliding at the speed v
- * round a body of the radius R, this brakes it as friction of the coefficient v dt / R would. Friction is Coulomb's:
- * the coefficient times the force that presses a node on, times v / (v + 1e-4 m/s) at the speed v, to 1%; of the force
- * after 50 iterations where a step is hard. So what it holds creeps: under half of what it can hold by 1e-4 m/s.
- * Errors of all that set: CD_ERROR_UNSUPPORTED without a rest length; CD_ERROR_RANGE for an index that no collider
- * has, or a count that is not the number of components; CD_ERROR_VALUE; CD_ERROR_MEMORY where a bed or a callback
- * becomes something else. */
+ * them, and where a rope lies across a body, its nodes come out on both sides: CD_ERROR_TOLERANCE. A strand that
+ * touches something makes that step with lambda = 1; sliding at the speed v round a body of the radius R, this brakes
+ * it as friction of the coefficient v dt / R would. Friction is Coulomb's: the coefficient times the force that presses
+ * a node on, times v / (v + 1e-4 m/s) at the speed v, to 1%; of the force after 50 iterations where a step is hard. So
+ * what it holds creeps: under half of what it can hold by 1e-4 m/s. Errors of all that set: CD_ERROR_UNSUPPORTED
+ * without a rest length; CD_ERROR_RANGE for an index that no collider has, or a count that is not the number of
+ * components; CD_ERROR_VALUE; CD_ERROR_MEMORY where a bed or a callback becomes something else. */
 
 /* How many colliders there are, 0 to 4096, default 0: new ones are CD_SHAPE_NONE, those that stay keep what they are.
  * Rest length 0 takes them away. Errors: CD_ERROR_MEMORY. */
@@ -394,7 +394,7 @@ CD_API cd_status cd_chain_view(const cd_chain* chain, cd_field field, const void
 /* ---- acting on it ------------------------------------------------------------------------------------------------ */
 
 /* Adds impulse [N s], one number per component, to a node: its velocity changes by impulse / mass, in a welded group
- * by impulse / the group's mass; a held node takes none. Errors: CD_ERROR_RANGE, CD_ERROR_VALUE. */
+ * by impulse / the group's mass; a held node takes none. Errors: CD_ERROR_RANGE, CD_ERROR_VALUE, CD_ERROR_DIVERGED. */
 CD_API cd_status cd_chain_impulse(cd_chain* chain, size_t strand, size_t node, const double* impulse, size_t count);
 
 /* Moves a strand as a whole, as if it had always been there: every position and target becomes rotation * x + offset,

@@ -374,10 +374,10 @@ CD_API cd_status cd_membrane_view(const cd_membrane* membrane, cd_field field, c
 
 /* ---- acting on it ------------------------------------------------------------------------------------------------ */
 
-/* Adds impulse [N s], one number per component, spread over the nodes that are less than `radius` springs away from
- * the place (u, v), counted on the lattice and not round a ring, by the weights (1 - (distance / radius)^2)^2, which
- * are scaled to sum to 1; all on the nearest node if there is none. A node's velocity changes by its share / its mass;
- * held and absent nodes lose it. u in [0, nu], v in [0, nv], radius >= 0. Errors: CD_ERROR_RANGE, CD_ERROR_VALUE. */
+/* Adds impulse [N s], one number per component, spread over the nodes less than `radius` springs away from the place
+ * (u, v), counted on the lattice and not round a ring, by weights (1 - (distance / radius)^2)^2, scaled to sum to 1;
+ * all on the nearest node if there is none. A node's velocity changes by its share / its mass; held and absent nodes
+ * lose it. u in [0, nu], v in [0, nv], radius >= 0. Errors: CD_ERROR_RANGE, CD_ERROR_VALUE, CD_ERROR_DIVERGED. */
 CD_API cd_status cd_membrane_impulse(cd_membrane* membrane, double u, double v, double radius, const double* impulse,
                                      size_t count);
 

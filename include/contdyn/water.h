@@ -183,10 +183,16 @@ CD_API cd_status cd_water_get_manning(const cd_water* water, double* out_manning
  * Both sides of a direction are periodic or neither is: setting one sets the other, and leaving it leaves both, the
  * opposite one as a wall. Errors: CD_ERROR_ENUM; CD_ERROR_VALUE. */
 CD_API cd_status cd_water_set_side(cd_water* water, cd_side side, cd_border kind, double value, double rate);
-/* The kind, and value and rate as of now; 0 where they mean nothing. Each output may be null. Errors:
- * CD_ERROR_ENUM. */
+/* Value and rate as of now; 0 where they mean nothing. Each output may be null. Errors: CD_ERROR_ENUM. */
 CD_API cd_status cd_water_get_side(const cd_water* water, cd_side side, cd_border* out_kind, double* out_value,
                                    double* out_rate);
+
+/* Depth of an inflow [m], 0 or in [1e-6, 1e30]; default 0: that of the cell at the side. Else advected water comes in at
+ * the speed of its discharge in that depth, as under a gate so far open: faster than its waves, it has that depth in the
+ * first cell; if slower, or if it drowns the gate, that of what comes after. Other sides, outflow and linear momentum do
+ * not use it; cd_water_set_side keeps it. Errors: CD_ERROR_ENUM; CD_ERROR_VALUE. */
+CD_API cd_status cd_water_set_inflow_depth(cd_water* water, cd_side side, double depth);
+CD_API cd_status cd_water_get_inflow_depth(const cd_water* water, cd_side side, double* out_depth);
 
 /* What a write to CD_BED leaves as it is; default CD_BED_LIFTS_WATER. Errors: CD_ERROR_ENUM. */
 CD_API cd_status cd_water_set_bed_rule(cd_water* water, cd_bed_rule rule);
@@ -217,8 +223,7 @@ CD_API cd_status cd_water_get_bed_rule(const cd_water* water, cd_bed_rule* out_r
  * Errors: CD_ERROR_ENUM; CD_ERROR_UNSUPPORTED for a field of other objects; CD_ERROR_MEMORY. */
 CD_API cd_status cd_water_enable_field(cd_water* water, cd_field field);
 
-/* Switches a field off and releases its memory. Errors: CD_ERROR_ENUM; CD_ERROR_UNSUPPORTED for a field that is always
- * there. */
+/* Switches a field off and releases its memory. Errors: CD_ERROR_ENUM; CD_ERROR_UNSUPPORTED if it is always there. */
 CD_API cd_status cd_water_disable_field(cd_water* water, cd_field field);
 
 /* Writes or reads values[j][i], dense, of the rectangle of cells or faces [first_x, first_x + n_x) x [first_y,
@@ -247,12 +252,12 @@ CD_API cd_status cd_water_view(const cd_water* water, cd_field field, const void
  * (1 - (distance / radius)^2)^2 from the centre, and are not spread round a periodic side. */
 
 /* Adds volume [m^3] over a disc, or takes it if negative, as far as there is water in each cell's share. out_added,
- * which may be null, tells what it came to. The account counts it. Errors: CD_ERROR_VALUE. */
+ * which may be null, tells what it came to. The account counts it. Errors: CD_ERROR_VALUE, CD_ERROR_DIVERGED. */
 CD_API cd_status cd_water_add_volume(cd_water* water, double x, double y, double radius, double volume,
                                      double* out_added);
 
 /* Adds volume [m^3] evenly over the cells there of a rectangle, or takes it; out_added as above.
- * Errors: CD_ERROR_RANGE; CD_ERROR_VALUE. */
+ * Errors: CD_ERROR_RANGE; CD_ERROR_VALUE, CD_ERROR_DIVERGED. */
 CD_API cd_status cd_water_add_volume_rectangle(cd_water* water, size_t first_x, size_t first_y, size_t n_x, size_t n_y,
                                                double volume, double* out_added);
 
@@ -264,13 +269,12 @@ CD_API cd_status cd_water_add_source(cd_water* water, double x, double y, double
 CD_API cd_status cd_water_add_source_rectangle(cd_water* water, size_t first_x, size_t first_y, size_t n_x, size_t n_y,
                                                double rate);
 
-/* A splash: water of the disc, down to `height` [m] >= 0 at its centre and as far as there is water, is heaped up on
- * the wet cells around it, out to twice the radius; volume is kept. Nothing happens where no wet cell is there to
- * take it. Errors: CD_ERROR_VALUE. */
+/* A splash: water of the disc, down to `height` [m] >= 0 at its centre and as far as there is water, is heaped up on the
+ * wet cells around it, out to twice the radius, if there are any; volume is kept. Errors: CD_ERROR_VALUE, _DIVERGED. */
 CD_API cd_status cd_water_splash(cd_water* water, double x, double y, double radius, double height);
 
 /* Adds an impulse (x, y) [N s] over a disc: a face's velocity changes by its share of it / the mass of water at it,
- * shares being in proportion to that mass too; on dry faces nothing happens. Errors: CD_ERROR_VALUE. */
+ * shares in proportion to that mass too; on dry faces nothing happens. Errors: CD_ERROR_VALUE, CD_ERROR_DIVERGED. */
 CD_API cd_status cd_water_impulse(cd_water* water, double x, double y, double radius, double impulse_x,
                                   double impulse_y);
 
@@ -324,9 +328,8 @@ CD_API cd_status cd_water_remove_hull(cd_water* water, size_t index);
 /* Launches a hull at (x, y) in the scene, its bow towards (ahead_x, ahead_y) of any length but 0, at rest. It lies as it
  * would in time. The water that it displaces goes, evenly, to all cells whose surface is within its draft of that under
  * it; where there is no such cell, or the bed bears it, it displaces none. What it displaced before is not given back:
- * to move a hull set its pose.
- * Errors: CD_ERROR_VALUE; CD_ERROR_DISABLED if it has no mass, or no cell is under it, or gravity is 0;
- * CD_ERROR_DIVERGED of a water that did. */
+ * to move a hull set its pose. Errors: CD_ERROR_VALUE; CD_ERROR_DISABLED if it has no mass, or no cell is under it, or
+ * gravity is 0; CD_ERROR_DIVERGED of a water that did. */
 CD_API cd_status cd_water_launch_hull(cd_water* water, size_t index, double x, double y, double ahead_x,
                                       double ahead_y);
 
@@ -353,8 +356,7 @@ CD_API cd_status cd_water_set_hull_drag(cd_water* water, size_t index, double al
 CD_API cd_status cd_water_get_hull_drag(const cd_water* water, size_t index, double* out_along, double* out_across,
                                         double* out_friction);
 
-/* What water and bed did to a hull in the last step: 6 numbers, forces along x and y and up [N], moments of yaw, pitch
- * and roll [N m]. */
+/* What a hull felt from water and bed in the last step: 6 numbers, forces x, y, up [N], moments yaw, pitch, roll [N m]. */
 CD_API cd_status cd_water_get_hull_load(const cd_water* water, size_t index, double* out_load, size_t count);
 
 /* Energies of all hulls [J]: of their motion; mass g z, and what their skins hold. Each output may be null. */
@@ -389,8 +391,7 @@ CD_API cd_status cd_water_get_steps(const cd_water* water, uint64_t* out_steps);
 CD_API cd_status cd_water_get_factorizations(const cd_water* water, uint64_t* out_count);
 
 /* What the last call of cd_water_step had to hold back so that no cell gave more than it had and got: in how many
- * cells, counted once per sweep and part, and how much water [m^3] went or came less through faces. Each output may be
- * null. */
+ * cells, counted once per sweep and part, and how much less water [m^3] went through faces. Each output may be null. */
 CD_API cd_status cd_water_get_limited(const cd_water* water, uint64_t* out_cells, double* out_volume);
 
 /* Lets water sleep where it hardly moves: steps leave parts of 16 x 16 cells as they are, at no cost, where all waves
@@ -405,8 +406,7 @@ CD_API cd_status cd_water_get_limited(const cd_water* water, uint64_t* out_cells
  * A step's time is in proportion to the cells awake, each up to half as dear again. A splash, a volume, an impulse, a
  * write of cells or faces and what is set of a hull wake what they touch; after any other call that may change the
  * water the next step looks at all of it, in half a step's time. Costs a byte for ten cells. The height is kept with
- * the state.
- * Errors: CD_ERROR_VALUE; CD_ERROR_MEMORY. */
+ * the state. Errors: CD_ERROR_VALUE; CD_ERROR_MEMORY. */
 CD_API cd_status cd_water_set_sleep(cd_water* water, double height);
 CD_API cd_status cd_water_get_sleep(const cd_water* water, double* out_height);
 

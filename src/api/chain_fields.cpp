@@ -149,6 +149,7 @@ cd_status cd_chain_impulse(cd_chain* chain, size_t strand, size_t node, const do
     CD_NOT_NULL(impulse);
     CD_CHECK(is_count(__func__, "count", count, c.components));
     CD_CHECK(are_numbers(__func__, "impulse", impulse, count, kMost));
+    CD_CHECK(shared::is_finite(__func__, c));
     const Group group = group_of(c, node);
     if (held_in(c, strand, group) > 0) return CD_OK;
     double mass = 0;

@@ -153,6 +153,7 @@ cd_status cd_membrane_impulse(cd_membrane* membrane, double u, double v, double 
     CD_NOT_NULL(impulse);
     CD_CHECK(is_count(__func__, "count", count, m.components));
     CD_CHECK(are_numbers(__func__, "impulse", impulse, count, kMost));
+    CD_CHECK(shared::is_finite(__func__, m));
     const Spread spread(m, u, v, radius);
     // f(component, place, new velocity) for all that is moved
     const auto each = [&](auto f) {

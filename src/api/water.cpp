@@ -107,6 +107,20 @@ cd_status cd_water_get_side(const cd_water* water, cd_side side, cd_border* out_
     return CD_OK;
 }
 
+cd_status cd_water_set_inflow_depth(cd_water* water, cd_side side, double depth) {
+    CD_OPEN(water, w);
+    CD_CHECK(is_enum(__func__, "side", side, CD_SIDE_Y_LAST));
+    if (depth != 0) CD_CHECK(in_range(__func__, "depth", depth, kLeastInflowDepth, kMostInflowDepth, kOrZero));
+    w.inflow_depth[side] = depth;
+    return CD_OK;
+}
+
+cd_status cd_water_get_inflow_depth(const cd_water* water, cd_side side, double* out_depth) {
+    CD_OPEN(water, w);
+    CD_CHECK(is_enum(__func__, "side", side, CD_SIDE_Y_LAST));
+    return shared::tell(__func__, "out_depth", out_depth, w.inflow_depth[side]);
+}
+
 // ---- sleep ----------------------------------------------------------------------------------------------------------
 
 CD_GETTER(water, get_sleep, double, out_height, x.sleep)

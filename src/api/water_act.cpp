@@ -27,6 +27,7 @@ cd_status out_of_range(const char* function, const char* name, double value, con
 }
 
 cd_status add(const char* function, Water& w, const Shares& shares, double volume, double* out_added) {
+    CD_CHECK(shared::is_finite(function, w));
     double added;
     if (!add_volume(w, shares, volume, added)) return out_of_range(function, "volume", volume, "depth");
     if (out_added) *out_added = added;
@@ -83,6 +84,7 @@ cd_status cd_water_splash(cd_water* water, double x, double y, double radius, do
     const Disc disc{x, y, radius};
     CD_CHECK(is_disc(__func__, w, disc));
     CD_CHECK(in_range(__func__, "height", height, 0, kMost));
+    CD_CHECK(shared::is_finite(__func__, w));
     return splash(w, disc, height) ? CD_OK : out_of_range(__func__, "height", height, "depth");
 }
 
@@ -92,6 +94,7 @@ cd_status cd_water_impulse(cd_water* water, double x, double y, double radius, d
     CD_CHECK(is_disc(__func__, w, disc));
     CD_CHECK(is_amount(__func__, "impulse_x", impulse_x));
     CD_CHECK(is_amount(__func__, "impulse_y", impulse_y));
+    CD_CHECK(shared::is_finite(__func__, w));
     if (impulse(w, disc, impulse_x, impulse_y)) return CD_OK;
     const bool larger_x = fabs(impulse_x) > fabs(impulse_y);
     return out_of_range(__func__, larger_x ? "impulse_x" : "impulse_y", larger_x ? impulse_x : impulse_y, "velocity");

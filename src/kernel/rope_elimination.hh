@@ -79,7 +79,7 @@ template <int N> __attribute__((noinline)) Vector<N> RopeBundle<N>::impulse_betw
     const M share = yields(s.transverse, L{}, mobility);
     const V way = right - left, q = s.transverse * (share * (way - s.wish)), u = share * s.acting;
     const L yields = s.axial + dot(s.along, mobility * u);
-    const L pull = select(yields, s.taut / yields, L{}); // 0 between two held nodes
+    const L pull = select(size_of(yields), s.taut / yields, L{}); // 0 between two held nodes
     const L tau = (dot(s.along, way - mobility * q) - s.wished) * pull;
     return q + tau * u;
 }

@@ -13,8 +13,6 @@ constexpr size_t kMostNewton = 8;    // iterations before a safer step is tried
 // and falls after others: together more than 1, so that it rises where the error goes to and fro; and the most of it, over
 // the nodes' own, beyond which rounding would hide what is left out of their momentum, and pass for a solution.
 constexpr double kRise = 4, kFall = 0.3, kMostAdded = 1e6;
-// How much shorter than its length a slack spring is at least, over that length, whatever the tolerance.
-constexpr double kLeastSlack = 1e-9;
 // Of the interior point.
 constexpr double kFirstGap = 0.1;    // the least gap to start with, over the rest length
 constexpr double kInside = 0.95;     // how much of the way to a tension or gap of 0 an iteration goes
@@ -324,9 +322,10 @@ template <int N> void RopeBundle<N>::calm() {
         Contact& c = contacts[at];
         look_at_end(at % stage.collider_count, i, before, before + L::splat(stage.dt) * nodes[i].w, c);
         // Pushes of another motion mean nothing, and what is still inside came out by no more than it went.
-        const L came_out = smaller(positive(c.gap - c.before), positive(L{} - c.before));
+        const L went = stage.dt * dot(c.normal, nodes[i].w),
+                came_out = smaller(positive(went), positive(L{} - c.before));
         c.before = select(open, L{} - came_out, c.before);
-        c.on = select(open, one(), c.on), c.push = select(open, L{}, c.push);
+        c.on = select(open, select(came_out, one(), L{}), c.on), c.push = select(open, L{}, c.push);
     }
 }
 
@@ -418,8 +417,7 @@ template <int N> RopeResult RopeBundle<N>::step() {
     for (size_t i = 0; i < spring_count; ++i) {
         const Spring& s = springs[i];
         // Of the interior point all springs have a tension: slack are those that it would not take to their length.
-        const L shorter = smaller((1 - fmax(stage.tolerance, kLeastSlack)) * s.length, s.length - give(i) * s.tension);
-        const L slack = shorter - long_after(i);
+        const L slack = s.length - give(i) * s.tension - long_after(i);
         const L tension = s.tension + select(solved, s.gap, L{}); // with what it did as velocities settled
         double lane[N];
         (stage.push ? tension : select(slack, L{}, positive(tension))).store(lane);

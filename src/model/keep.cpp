@@ -42,10 +42,11 @@ static cd_status read_number(const char* function, Reader& reader, size_t size, 
 cd_status read_header(const char* function, const Kind& kind, Reader& reader, size_t size) {
     uint32_t number = 0;
     if (const cd_status status = read_number(function, reader, size, number)) return status;
-    if (number != kind.number)
-        return fail(CD_ERROR_FORMAT, function, "bytes are of the kind of object %u, a %s is of the kind %u", number,
-                    kind.name, kind.number);
-    return CD_OK;
+    if (number == kind.number) return CD_OK;
+    static constexpr char names[][sizeof "membrane"] = {"none", "chain", "membrane", "water"}; // by cd_kind
+    const char* saved = names[number > CD_KIND_WATER ? 0 : number];
+    return fail(CD_ERROR_FORMAT, function, "bytes are of the kind of object %u, %s, and a %s is of the kind %u", number,
+                saved, kind.name, kind.number);
 }
 
 cd_status read_shape(const char* function, const unsigned char* bytes, size_t size, uint32_t& number, Shape& shape) {

@@ -28,8 +28,9 @@ struct WaterSettings : ObjectSettings {
     double size[2]; // dx, dy
     cd_momentum momentum;
     cd_bed_rule bed_rule;
-    int32_t first;     // the axis that the next step sweeps first
-    WaterSide side[4]; // by cd_side
+    int32_t first;          // the axis that the next step sweeps first
+    WaterSide side[4];      // by cd_side
+    double inflow_depth[4]; // in which their discharges come in; 0: in that of the cell
     double gravity, density, drag, manning;
     double sleep; // the height below which waves let water fall asleep; 0: it never does
     Account account;
@@ -80,6 +81,7 @@ struct Water : Object, WaterSettings {
 constexpr uint64_t kWaterTag = 0x3172746157644331; // "1CdWatr1"
 constexpr double kLinearLambda = 0.55;             // the default
 constexpr double kLeastCell = 1e-30, kMostCell = 1e30, kLeastGravity = 1e-60, kMostGravity = 1e6, kMostManning = 1e3;
+constexpr double kLeastInflowDepth = 1e-6, kMostInflowDepth = 1e30; // [m]
 constexpr double kLeastDensity = 1e-6, kMostDensity = 1e6;
 
 // What costs memory, in one value, so that features change all together or not at all.

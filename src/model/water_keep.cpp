@@ -15,10 +15,11 @@ namespace {
 constexpr uint32_t bit(cd_field field) { return 1u << field; }
 constexpr uint32_t kHullBit = 1u << 31;  // the hulls' number and shape follow, and their numbers come last
 constexpr uint32_t kSleepBit = 1u << 30; // the height of what lets it sleep follows
+constexpr uint32_t kDepthBit = 1u << 29; // the depths of inflows follow
 
 struct KeptWater {
     WaterSettings own;
-    uint32_t fields; // a bit per optional field, by cd_field; kHullBit, kSleepBit
+    uint32_t fields; // a bit per optional field, by cd_field; kHullBit, kSleepBit, kDepthBit
     HullShape hulls;
 
     bool on(cd_field field) const { return (fields & bit(field)) != 0; }
@@ -116,6 +117,8 @@ struct WaterKeep {
         Settings s{w, 0, w.hull_shape};
         if (w.hull_shape.count > 0) s.fields |= kHullBit;
         if (w.sleep > 0) s.fields |= kSleepBit;
+        for (double depth : w.inflow_depth)
+            if (depth > 0) s.fields |= kDepthBit;
         if (w.mask) s.fields |= bit(CD_MASK);
         if (w.wall[kX]) s.fields |= bit(CD_WALL_X);
         if (w.wall[kY]) s.fields |= bit(CD_WALL_Y);
@@ -150,6 +153,8 @@ struct WaterKeep {
         walk(w, o.account.initial), walk(w, o.account.in), walk(w, o.account.out);
         walk(w, o.clock.start), walk(w, o.clock.dt), walk(w, o.clock.counted), walk(w, o.clock.steps);
         if ((s.fields & kSleepBit) != 0) walk(w, o.sleep);
+        for (double& depth : o.inflow_depth)
+            if ((s.fields & kDepthBit) != 0) walk(w, depth);
         if ((s.fields & kHullBit) == 0) return;
         for (size_t* size : {&s.hulls.count, &s.hulls.along, &s.hulls.across}) {
             uint64_t number = *size;
@@ -174,11 +179,13 @@ struct WaterKeep {
         for (cd_field field : {CD_MASK, CD_WALL_X, CD_WALL_Y, CD_SOURCE, CD_PRESSURE, CD_FORCE_X, CD_FORCE_Y})
             optional |= bit(field);
         const auto is_one_of_two = [](int32_t choice) { return choice == 0 || choice == 1; };
-        bool good = (s.fields & ~(optional | kHullBit | kSleepBit)) == 0 && valid_hulls(s);
+        bool good = (s.fields & ~(optional | kHullBit | kSleepBit | kDepthBit)) == 0 && valid_hulls(s);
         good &= (s.fields & kSleepBit) == 0 || (o.sleep > 0 && o.sleep <= kMost);
         good &= o.method >= CD_METHOD_IMPLICIT && o.method <= CD_METHOD_SYMPLECTIC_EULER;
         good &= is_one_of_two(o.momentum) && is_one_of_two(o.bed_rule) && is_one_of_two(o.first);
         for (const WaterSide& side : o.side) good &= valid_side(side);
+        for (double depth : o.inflow_depth)
+            good &= depth == 0 || (depth >= kLeastInflowDepth && depth <= kMostInflowDepth);
         for (Axis a : {kX, kY}) {
             good &= o.size[a] >= kLeastCell && o.size[a] <= kMostCell;
             good &= s.periodic(a) == (o.side[2 * a + 1].kind == CD_BORDER_PERIODIC);

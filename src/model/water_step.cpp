@@ -158,8 +158,8 @@ struct Stepper {
                 w.tiles.each_run(a, pack, along.cells, [&](size_t from, size_t end) {
                     WaterSweep run = along;
                     run.first = from, run.cells = end - from;
-                    if (from > 0) run.end[0] = {End::kWall, 0, 0, 0};
-                    if (end < along.cells) run.end[1] = {End::kWall, 0, 0, 0};
+                    if (from > 0) run.end[0] = {End::kWall, 0, 0, 0, 0};
+                    if (end < along.cells) run.end[1] = {End::kWall, 0, 0, 0, 0};
                     good &= body(run, place, pack, 1);
                 });
             return good;
@@ -192,12 +192,14 @@ struct Stepper {
     WaterEnd end_of(Axis a, bool at_last, double time) const {
         const WaterSide& side = w.side[side_of(a, at_last)];
         const double value = side_value(side, time);
+        const bool carries = CD_WITH_ADVECTED && w.momentum == CD_MOMENTUM_ADVECTED;
         switch (side.kind) {
-        case CD_BORDER_OPEN: return {End::kOpen, value, dt * side.rate, 0};
-        case CD_BORDER_LEVEL: return {End::kLevel, value, dt * side.rate, 0};
-        case CD_BORDER_INFLOW: return {End::kInflow, 0, 0, value};
-        case CD_BORDER_PERIODIC: return {End::kRing, 0, 0, 0};
-        default: return {End::kWall, 0, 0, 0};
+        case CD_BORDER_OPEN: return {End::kOpen, value, dt * side.rate, 0, 0};
+        case CD_BORDER_LEVEL: return {End::kLevel, value, dt * side.rate, 0, 0};
+        case CD_BORDER_INFLOW:
+            return {End::kInflow, 0, 0, value, value > 0 && carries ? w.inflow_depth[side_of(a, at_last)] : 0};
+        case CD_BORDER_PERIODIC: return {End::kRing, 0, 0, 0, 0};
+        default: return {End::kWall, 0, 0, 0, 0};
         }
     }
 

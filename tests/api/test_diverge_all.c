@@ -161,6 +161,32 @@ static void a_diverged_state_can_be_kept_and_stays_diverged_until_another_is_loa
     }
 }
 
+static void what_acts_on_a_diverged_object_says_that_its_state_is_not_finite(void** state) {
+    (void)state;
+    static const double push[2] = {1, 1};
+    static const char why[] = "the state after step|is not finite";
+    FOR_UNSTABLE(u, i) {
+        double dt, small;
+        any* object = unstable_diverged(u, i, &dt, &small);
+        if (kind_is_finite(u->kind, object)) {
+            u->kind->destroy(object);
+            continue;
+        }
+        if (u->kind == &kinds[CHAIN])
+            refuses((cd_chain*)object, cd_chain_impulse(object, 10, 4, push, 2), CD_ERROR_DIVERGED, why);
+        else if (u->kind == &kinds[MEMBRANE])
+            refuses((cd_membrane*)object, cd_membrane_impulse(object, 3, 2, 1, push, 2), CD_ERROR_DIVERGED, why);
+        else {
+            cd_water* const w = object;
+            refuses(w, cd_water_impulse(w, 4.5, 3.5, 1, 1, 1), CD_ERROR_DIVERGED, why);
+            refuses(w, cd_water_splash(w, 4.5, 3.5, 1, 0.1), CD_ERROR_DIVERGED, why);
+            refuses(w, cd_water_add_volume(w, 4.5, 3.5, 1, 1, NULL), CD_ERROR_DIVERGED, why);
+            refuses(w, cd_water_add_volume_rectangle(w, 0, 0, 9, 6, 1, NULL), CD_ERROR_DIVERGED, why);
+        }
+        u->kind->destroy(object);
+    }
+}
+
 static void an_object_within_the_limit_never_diverges(void** state) {
     (void)state;
     FOR_UNSTABLE(u, i) {
@@ -188,6 +214,7 @@ int main(void) {
         cmocka_unit_test(a_diverged_object_is_as_new_after_a_reset),
         cmocka_unit_test(a_diverged_object_goes_on_once_finite_numbers_are_written),
         cmocka_unit_test(a_diverged_state_can_be_kept_and_stays_diverged_until_another_is_loaded),
+        cmocka_unit_test(what_acts_on_a_diverged_object_says_that_its_state_is_not_finite),
         cmocka_unit_test(an_object_within_the_limit_never_diverges),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

@@ -232,9 +232,9 @@ static void bytes_of_another_kind_are_refused(void** state) {
         FOR_KINDS(to) {
             if (to == from) continue;
             any* object = kept_new(to, from->shape, k % 2 ? CD_FLOAT64 : CD_FLOAT32);
-            kind_refuses(
-                to->kind, object, load, (object, blob.bytes, blob.size), CD_ERROR_FORMAT,
-                text_of("bytes|kind|%d|%s|%d", (int)from->kind->number, to->kind->name, (int)to->kind->number));
+            kind_refuses(to->kind, object, load, (object, blob.bytes, blob.size), CD_ERROR_FORMAT,
+                         text_of("bytes|kind|%d|%s|%s|%d", (int)from->kind->number, from->kind->name, to->kind->name,
+                                 (int)to->kind->number));
             to->kind->destroy(object);
         }
         free(blob.bytes);

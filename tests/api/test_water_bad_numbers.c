@@ -43,6 +43,15 @@ static void no_side_takes_a_level_or_a_discharge_that_is_no_number(void** state)
         }
 }
 
+static void no_inflow_takes_a_depth_that_is_none(void** state) {
+    (void)state;
+    static const struct bad_number bad_depths[] = {{-1, "-1"}, {5e-7, "5e-07"}, {1.0625e30, "1.0625e+30"}};
+    for (cd_side side = CD_SIDE_X_FIRST; side <= CD_SIDE_Y_LAST; ++side) {
+        refuses_each(w, cd_water_set_inflow_depth(w, side, bad), "depth", not_finite);
+        refuses_each(w, cd_water_set_inflow_depth(w, side, bad), "depth", bad_depths);
+    }
+}
+
 static void a_wall_and_a_periodic_side_take_any_value(void** state) {
     (void)state;
     cd_water* other = pool(3, 3, CD_FLOAT64);
@@ -166,6 +175,7 @@ int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(no_time_is_too_short_for_no_steps),
         cmocka_unit_test(no_side_takes_a_level_or_a_discharge_that_is_no_number),
+        cmocka_unit_test(no_inflow_takes_a_depth_that_is_none),
         cmocka_unit_test(a_wall_and_a_periodic_side_take_any_value),
         cmocka_unit_test(what_the_precision_cannot_hold_changes_nothing),
         cmocka_unit_test(no_more_places_are_sampled_than_fit_in_memory),

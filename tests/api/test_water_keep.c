@@ -7,8 +7,8 @@ enum { NX = 6, NY = 5, MOST = (NX + 1) * (NY + 1) };
 static void what_was_saved_can_be_loaded_at_the_ends_of_every_range(void** state) {
     (void)state;
     static const struct {
-        double cell, lambda, gravity, density, drag, manning, value;
-    } ends[] = {{1e-30, 0, 0, 1e-6, 0, 0, -1e60}, {1e30, 1, 1e6, 1e6, 1e60, 1e3, 1e60}};
+        double cell, lambda, gravity, density, drag, manning, value, depth;
+    } ends[] = {{1e-30, 0, 0, 1e-6, 0, 0, -1e60, 1e-6}, {1e30, 1, 1e6, 1e6, 1e60, 1e3, 1e60, 1e30}};
     for (size_t i = 0; i < COUNT(ends); ++i) {
         cd_water* w = NULL;
         ok(cd_water_create(NX, NY, ends[i].cell, ends[1 - i].cell, CD_FLOAT64, NULL, &w));
@@ -20,6 +20,7 @@ static void what_was_saved_can_be_loaded_at_the_ends_of_every_range(void** state
         ok(cd_water_set_manning(w, ends[i].manning));
         ok(cd_water_step(w, i ? 1e30 : 1e-30, 3)); /* dry: only time runs */
         ok(cd_water_set_side(w, CD_SIDE_X_FIRST, CD_BORDER_INFLOW, ends[i].value, -ends[i].value));
+        ok(cd_water_set_inflow_depth(w, CD_SIDE_X_FIRST, ends[i].depth));
         ok(cd_water_set_side(w, CD_SIDE_X_LAST, CD_BORDER_OPEN, ends[i].value, ends[i].value));
         ok(cd_water_set_side(w, CD_SIDE_Y_LAST, CD_BORDER_PERIODIC, 0, 0));
         for (cd_field field = CD_MASK; field <= CD_WALL_Y; ++field) {

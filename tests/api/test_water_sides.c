@@ -45,6 +45,29 @@ static void sides_tell_what_was_set(void** state) {
     cd_water_destroy(w);
 }
 
+/* Whatever is at a side, which may change. */
+static void sides_keep_the_depth_of_an_inflow(void** state) {
+    (void)state;
+    static const double depths[] = {1e-6, 0.5, 1e30, 0};
+    cd_water* w = pool(5, 4, CD_FLOAT32);
+    for (size_t k = 0; k < COUNT(depths); ++k)
+        for (cd_side which = CD_SIDE_X_FIRST; which <= CD_SIDE_Y_LAST; ++which) {
+            ok(cd_water_set_inflow_depth(w, which, depths[k]));
+            for (cd_border kind = CD_BORDER_WALL; kind <= CD_BORDER_LEVEL; ++kind) {
+                ok(cd_water_set_side(w, which, kind, 1, 0));
+                for (cd_side side = CD_SIDE_X_FIRST; side <= CD_SIDE_Y_LAST; ++side) {
+                    double depth = -1;
+                    ok(cd_water_get_inflow_depth(w, side, &depth));
+                    assert_true(depth == (side <= which ? depths[k] : k > 0 ? depths[k - 1] : 0));
+                }
+            }
+        }
+    refuses(w, cd_water_set_inflow_depth(w, 4, 1), CD_ERROR_ENUM, "side|4");
+    refuses(w, cd_water_get_inflow_depth(w, -1, &(double){0}), CD_ERROR_ENUM, "side|-1");
+    refuses(w, cd_water_get_inflow_depth(w, 0, NULL), CD_ERROR_NULL, "out_depth");
+    cd_water_destroy(w);
+}
+
 static void the_value_runs_on_with_its_rate_from_when_it_was_set(void** state) {
     (void)state;
     cd_water* w = pool(5, 4, CD_FLOAT64);
@@ -171,6 +194,7 @@ int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(a_water_has_no_second_order_stiff_method),
         cmocka_unit_test(sides_tell_what_was_set),
+        cmocka_unit_test(sides_keep_the_depth_of_an_inflow),
         cmocka_unit_test(the_value_runs_on_with_its_rate_from_when_it_was_set),
         cmocka_unit_test(both_sides_of_a_direction_are_periodic_or_neither),
         cmocka_unit_test(a_side_that_becomes_a_wall_stops_the_water_at_it_and_no_other),

@@ -184,6 +184,8 @@ static void tell_water(const cd_water* o) {
     ok(cd_water_get_account(o, account, account + 1, account + 2, account + 3));
     for (cd_side side = CD_SIDE_X_FIRST; side <= CD_SIDE_Y_LAST; ++side)
         ok(cd_water_get_side(o, side, WHOLES(get_side), NUMBERS(get_side, 1), NUMBERS(get_side, 1)));
+    for (cd_side side = CD_SIDE_X_FIRST; side <= CD_SIDE_Y_LAST; ++side)
+        ok(cd_water_get_inflow_depth(o, side, NUMBERS(get_inflow_depth, 1)));
 }
 
 static void tell(const struct kind* kind, const any* o) {

@@ -225,6 +225,7 @@ static void all_fields(cd_water* water) {
     ok(cd_water_set_bed_rule(water, CD_BED_KEEPS_SURFACE));
     ok(cd_water_set_side(water, CD_SIDE_Y_FIRST, CD_BORDER_OPEN, 0.05, 0.01));
     ok(cd_water_set_side(water, CD_SIDE_Y_LAST, CD_BORDER_INFLOW, 0.04, -0.001));
+    ok(cd_water_set_inflow_depth(water, CD_SIDE_Y_LAST, 0.03125));
     beach(water, 0.7, 15);
     build_in(water, all.columns, all.rows);
     stir(water, 0.2, 16);

@@ -54,16 +54,16 @@
 {10, 17, 1, {0xd4a224799f0e354a, 0x3e98074c93252028}}, /* fed */
 {10, 16, 7, {0x439d6531ed996d59, 0xc9e50d630623e061}}, /* fed */
 {10, 2, 16, {0x61975d8b8520856a, 0x25e11d339c20be05}}, /* fed */
-{11, 13, 9, {0x1bf15d60767967f4, 0xeddd47ea1a357f1b}}, /* everything */
-{11, 1, 17, {0x1c6fef67740d93d9, 0x2b2820d276db8ef8}}, /* everything */
-{11, 17, 1, {0x4543cfa5953a9273, 0xdcbcf9b61e83a13c}}, /* everything */
-{11, 16, 7, {0x3102f89b1367ef73, 0xc5fb1156a73e3f07}}, /* everything */
-{11, 2, 16, {0x290e736109dc4d81, 0xc21e4d67288fe890}}, /* everything */
-{12, 13, 9, {0x080aa73439880d46, 0x0f54f4bb91f09c16}}, /* everything, long steps */
-{12, 1, 17, {0xe4db9b1e6968b606, 0xbc1a9c796126c60d}}, /* everything, long steps */
-{12, 17, 1, {0xdf37911eaee3d864, 0xa8889817207a666a}}, /* everything, long steps */
-{12, 16, 7, {0xc5cae84d6f6d393d, 0x5de0f896983a5b8a}}, /* everything, long steps */
-{12, 2, 16, {0x61ae2f43bec9fd97, 0x72502dcf50c8f7b9}}, /* everything, long steps */
+{11, 13, 9, {0x350e491c15da16f4, 0x2bd4dc9a07243198}}, /* everything */
+{11, 1, 17, {0x71a1fa8913c5d2c4, 0x8d194d0c1a8b0986}}, /* everything */
+{11, 17, 1, {0xf9d7d589a07b496e, 0xfbd5b96c7b3d4564}}, /* everything */
+{11, 16, 7, {0x916ea2dae20ff713, 0xf29e352c9e8515a8}}, /* everything */
+{11, 2, 16, {0xb8afbf87cbacf8b0, 0xfecc909ce6102ba4}}, /* everything */
+{12, 13, 9, {0xc85dd3605123862f, 0x111fbf25404b795d}}, /* everything, long steps */
+{12, 1, 17, {0x5b7a04382ff99db0, 0x4b094a1f61201378}}, /* everything, long steps */
+{12, 17, 1, {0x08e3a633a0bdba71, 0x27ef2916e173ba55}}, /* everything, long steps */
+{12, 16, 7, {0xf604fd689abb9c37, 0xea784440b26ad2e7}}, /* everything, long steps */
+{12, 2, 16, {0x969efd119344a4b8, 0x314e45b7e7e9cf5f}}, /* everything, long steps */
 {13, 13, 9, {0xc10f2419498ec1cf, 0x0c5b81818e843b98}}, /* hulls */
 {13, 1, 17, {0xefc6e6dfd02ac6c0, 0xdb8e5fc1b4daa8e6}}, /* hulls */
 {13, 17, 1, {0x1b1c6d57f7439e98, 0xb0f69705ff1e3bdd}}, /* hulls */

@@ -172,6 +172,7 @@ inline void WaterScene::act(Handle* water, Random& random, Returned& returned) c
         const cd_border kind = cd_border(random.below(5));
         const double value = depth * random.uniform(-1, 2), rate = random.any_of({0, 0, 0.1 * depth});
         returned += cd_water_set_side(water, side, kind, value, rate);
+        returned += cd_water_set_inflow_depth(water, side, value > 0.5 * depth ? 0.25 * depth : 0);
         break;
     }
     case 13: returned += cd_water_set_momentum(water, cd_momentum(random.below(2))); break;

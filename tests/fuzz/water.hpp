@@ -51,6 +51,7 @@ private:
     Rectangle pick_rectangle() const;
     double pick_amount(double most) const; // of either sign
     void set_side();
+    void set_inflow_depth();
     void add_volume();
     void add_volume_rectangle();
     void add_source();

@@ -27,7 +27,7 @@ void Water::act_by_kind() {
     case 5: set_enum("set_first", cd_water_set_first, 1, kNoMemory); break;
     case 6: set_enum("set_bed_rule", cd_water_set_bed_rule, CD_BED_KEEPS_SURFACE, kNoMemory); break;
     case 7:
-    case 8: set_side(); break;
+    case 8: chance(0.2) ? set_inflow_depth() : set_side(); break;
     case 9: add_volume(); break;
     case 10: add_volume_rectangle(); break;
     case 11: add_source(); break;
@@ -74,6 +74,14 @@ void Water::set_side() {
         both(text("set_side %d %d %.17g %.17g", int(side), int(kind), value, rate), 0,
              [&](cd_water* water, int) { return cd_water_set_side(water, side, kind, value, rate); });
     if (status == CD_OK && !(fabs(value) < 10 && fabs(rate) < 10)) past.moderate = false;
+}
+
+void Water::set_inflow_depth() {
+    const cd_side side = pick_enum(CD_SIDE_Y_LAST);
+    const double depth = chance(0.2) ? 0 : !run.sane && chance(0.2) ? wild_number() : uniform(0.05, 2);
+    const cd_status status = both(text("set_inflow_depth %d %.17g", int(side), depth), 0,
+                                  [&](cd_water* water, int) { return cd_water_set_inflow_depth(water, side, depth); });
+    if (status == CD_OK && depth != 0 && !(depth > 0.01)) past.moderate = false;
 }
 
 void Water::add_volume() {

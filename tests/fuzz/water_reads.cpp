@@ -53,6 +53,9 @@ void Water::get_side() {
     });
     must_agree("get_side", &kinds[0], &kinds[1]);
     must_agree("get_side", out[0], out[1], 2);
+    both("get_inflow_depth", kReads,
+         [&](cd_water* water, int which) { return cd_water_get_inflow_depth(water, side, &out[which][0]); });
+    must_agree("get_inflow_depth", out[0], out[1], 1);
 }
 
 void Water::get_shape() {

@@ -25,6 +25,11 @@ for type in "" Debug; do
 done
 ! flags asked_otherwise Debug -DCONTDYN_OPTIMIZE=OFF | grep -e ' -O3 ' || fail "CONTDYN_OPTIMIZE=OFF optimises"
 
+# Nothing is optimised at link time, which GCC 12 does not live through, where the user's project is.
+lines=$(flags linked "" -DCMAKE_CXX_FLAGS=-flto -DCMAKE_INTERPROCEDURAL_OPTIMIZATION=ON)
+! grep -v -e ' -flto.* -fno-lto ' <<<"$lines" || fail "kernels are left for the linker to optimise"
+! grep -e ' -fno-lto .* -flto' <<<"$lines" || fail "kernels are left for the linker to optimise"
+
 # Nothing is fused where the user's flags would let it be. This file adds and subtracts by turns.
 if [ "$(uname -m)" = x86_64 ]; then
     flags fused "" -DCMAKE_CXX_FLAGS="-mavx2 -mfma" >/dev/null

@@ -121,6 +121,7 @@ static struct made water_call(any* w, size_t number) {
     CALL(cd_water_set_sleep(w, 0));
     NEVER(cd_water_set_side(w, CD_SIDE_X_FIRST, CD_BORDER_OPEN, 0.125, 0));
     NEVER(cd_water_set_side(w, CD_SIDE_Y_FIRST, CD_BORDER_PERIODIC, 0, 0));
+    NEVER(cd_water_set_inflow_depth(w, CD_SIDE_X_FIRST, 0.125));
     NEVER(cd_water_add_volume(w, 1, 1, 1, 0.125, NULL));
     NEVER(cd_water_splash(w, 1, 1, 1, 0.125));
     NEVER(cd_water_impulse(w, 1, 1, 1, 0.125, 1));

@@ -4,13 +4,12 @@
 
 #include "check.h"
 #include "cloth.h"
-#include "reference.h"
+#include "loads.h"
 
 enum { MOST = 16 * 16, COLLIDERS = 5 };
 static const double gravity[3] = {0, 0, -9.81}, nowhere[3] = {0};
+static double ball_radius = 0.25;
 
-static double size_of(const double* a) { return sqrt(a[0] * a[0] + a[1] * a[1] + a[2] * a[2]); }
-static double part(uint64_t* draw) { return 0.5 * (random_number(draw) + 1); } /* from 0 to 1 */
 static void get_load(const cd_membrane* m, size_t index, double* out) {
     ok(cd_membrane_get_collider_load(m, index, out, 6));
 }
@@ -22,7 +21,7 @@ static void get_sum(const cd_membrane* m, double* out) {
     for (size_t i = 0; i < count; ++i) {
         double one[6];
         get_load(m, i, one);
-        for (int k = 0; k < 6; ++k) out[k] += one[k];
+        add_load(out, one);
     }
 }
 
@@ -42,19 +41,6 @@ static cd_membrane* sheet(size_t springs, cd_precision precision, double height,
     return m;
 }
 
-static void ball(void* user, double time, size_t count, size_t components, const double* x, double* distances,
-                 double* normals) {
-    (void)user, (void)time;
-    for (size_t i = 0; i < count; ++i) {
-        double square = 0;
-        for (size_t k = 0; k < components; ++k) square += x[i * components + k] * x[i * components + k];
-        const double r = sqrt(square);
-        distances[i] = r - 0.25;
-        for (size_t k = 0; k < components; ++k)
-            normals[i * components + k] = r > 0 ? x[i * components + k] / r : k == 0;
-    }
-}
-
 /* A sheet above bodies of every kind, in the air; by its first edge it may be held. */
 static cd_membrane* scene(uint64_t seed, cd_precision precision, int held) {
     uint64_t draw = 7919 * seed + 1;
@@ -72,7 +58,7 @@ static cd_membrane* scene(uint64_t seed, cd_precision precision, int held) {
     ok(cd_membrane_set_capsule(m, 1, a, b, 3, 0.1 + 0.2 * part(&draw), friction));
     const double velocity[3] = {part(&draw) - 0.5, part(&draw) - 0.5, 0.2}, origin[3] = {0.8, 0.8, 0};
     if (part(&draw) < 0.5) ok(cd_membrane_set_collider_velocity(m, 1, velocity, 3));
-    ok(cd_membrane_set_callback(m, 2, &(cd_distance){NULL, ball}, origin, 3, friction));
+    ok(cd_membrane_set_callback(m, 2, &(cd_distance){&ball_radius, ball}, origin, 3, friction));
     for (int i = 0; i < 36; ++i) heights[i] = 0.2 * part(&draw);
     const double corner[3] = {-0.1, -0.1, -0.1};
     ok(cd_membrane_set_bed(m, 4, corner, 3, 6, 6, 0.25, 0.25, heights, 36, 0.3));

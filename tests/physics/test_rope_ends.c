@@ -4,7 +4,7 @@
 #include <string.h>
 
 #include "check.h"
-#include "reference.h"
+#include "loads.h"
 
 enum { MOST = 40, TAIL = 3, STEPS = 3 };
 
@@ -44,18 +44,6 @@ static struct scene scene_of(uint64_t number) {
     return s;
 }
 
-/* A ball of 0.5 m about the collider's origin. */
-static void ball(void* user, double time, size_t count, size_t components, const double* x, double* out, double* way) {
-    (void)user, (void)time;
-    for (size_t i = 0; i < count; ++i) {
-        double size = 0;
-        for (size_t k = 0; k < components; ++k) size += x[i * components + k] * x[i * components + k];
-        for (size_t k = 0; k < components; ++k)
-            way[i * components + k] = size > 0 ? x[i * components + k] / sqrt(size) : k == 0;
-        out[i] = sqrt(size) - 0.5;
-    }
-}
-
 static void put_field(cd_chain* chain, cd_field field, size_t strand, int at, const double* values, int count) {
     ok(cd_chain_write_f64(chain, field, strand, 1, (size_t)at, 1, values, (size_t)count));
 }
@@ -86,7 +74,8 @@ static int run(const struct scene* s, struct way way, double x[MOST][3], double*
     if (s->bend > 0) ok(cd_chain_enable_field(chain, CD_BEND));
     if (s->angle[0] != 0) ok(cd_chain_enable_field(chain, CD_REST_ANGLE));
     if (s->touches) {
-        const cd_distance shape = {NULL, ball};
+        static double radius = 0.5;
+        const cd_distance shape = {&radius, ball};
         ok(cd_chain_set_colliders(chain, 2));
         ok(cd_chain_set_plane(chain, 0, below, up, components, 0.3));
         ok(cd_chain_set_callback(chain, 1, &shape, beside, components, 0.5));
@@ -276,6 +265,34 @@ static void springs_of_very_different_lengths_are_solved(void** state) {
         }
 }
 
+/* Stretched along a line a rope is linear, wherever its middle lies: one iteration solves a step, whatever tension the
+ * guess begins with, also one that its springs would have to be far longer for. */
+static void long_springs_on_a_line_are_solved_at_once(void** state) {
+    (void)state;
+    for (size_t nodes = 2; nodes <= 7; ++nodes)
+        for (double guess = 0.1; guess < 2000; guess *= 10)
+            for (int way = 0; way < 4; ++way) {
+                cd_chain* chain = NULL;
+                size_t iterations;
+                ok(cd_chain_create(1, nodes - 1, 1, CD_FLOAT64, NULL, &chain));
+                ok(cd_chain_set_rest_length(chain, (double)(nodes - 1)));
+                ok(cd_chain_set_stiffness(chain, 1 / (double)(nodes - 1)));
+                ok(cd_chain_set_mass(chain, (double)nodes));
+                ok(cd_chain_set_lambda(chain, way % 2 ? 1 : 0.5));
+                ok(cd_chain_set_push(chain, way / 2));
+                for (size_t i = 0; i < nodes; ++i) {
+                    const double x = 1.01 * (double)i, v = 3 * (double)i;
+                    ok(cd_chain_write_f64(chain, CD_POSITION, 0, 1, i, 1, &x, 1));
+                    ok(cd_chain_write_f64(chain, CD_VELOCITY, 0, 1, i, 1, &v, 1));
+                    if (i > 0) ok(cd_chain_write_f64(chain, CD_TENSION, 0, 1, i - 1, 1, &guess, 1));
+                }
+                ok(cd_chain_step(chain, 0.5, 1));
+                ok(cd_chain_get_convergence(chain, &iterations, NULL));
+                assert_int_equal(iterations, 1);
+                cd_chain_destroy(chain);
+            }
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(a_rope_moves_as_its_mirror_image),
@@ -284,6 +301,7 @@ int main(void) {
         cmocka_unit_test(springs_open_from_one_point),
         cmocka_unit_test(a_long_rope_swings_by_few_iterations),
         cmocka_unit_test(springs_of_very_different_lengths_are_solved),
+        cmocka_unit_test(long_springs_on_a_line_are_solved_at_once),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -45,23 +45,24 @@ static void what_lies_on_an_axis_comes_out_across(void** state) {
 }
 
 /* Two or three planes that a rope lies inside of, which slides along all of them: it comes out and slides on as fast. The
- * planes lean to both sides by as much as the tangent `lean`: they are one plane, or the walls of a gutter. */
+ * planes lean to both sides by as much as the tangent `lean`: they are one plane, or the walls of a gutter. Further aside,
+ * where they are steep, it lies in one wall only, and meets the other on its way out. */
 static void what_leaves_several_colliders_leaves_them_together(void** state) {
     (void)state;
-    static const double leans[] = {0, 0.5, 1, 3}, point[3] = {0, 0, 0};
+    static const double leans[] = {0, 0.1, 0.5, 1, 3}, point[3] = {0, 0, 0};
     enum { NODES = 11 };
-    for (int n = 0; n < 16; ++n) {
-        const double lean = leans[n / 4], speed = 10;
+    for (int n = 0; n < 40; ++n) {
+        const double lean = leans[n / 4 % 5], speed = 10, apart = n < 20 ? 1 : 2; /* no level one between them */
         const size_t planes = n % 2 ? 3 : 2;
         cd_chain* c = rope(1, NODES - 1, 3, n / 2 % 2 ? 0.5 : 1, planes);
         double x[NODES][3], v[NODES][3];
         for (size_t k = 0; k < planes; ++k) {
-            const double normal[3] = {lean * (1 - (double)k), 1, 0};
+            const double normal[3] = {lean * (1 - apart * (double)k), 1, 0};
             ok(cd_chain_set_plane(c, k, point, normal, 3, 0));
         }
         for (int i = 0; i < NODES; ++i) {
             x[i][0] = v[i][0] = v[i][1] = 0, x[i][1] = -0.1, x[i][2] = i / (NODES - 1.0), v[i][2] = speed;
-            if (planes == 2) x[i][0] = -0.01 * lean; /* not by one way */
+            if (planes == 2) x[i][0] = -0.01 * apart * lean; /* not by one way */
         }
         ok(cd_chain_write_f64(c, CD_POSITION, 0, 1, 0, NODES, x[0], 3 * NODES));
         ok(cd_chain_write_f64(c, CD_VELOCITY, 0, 1, 0, NODES, v[0], 3 * NODES));

@@ -71,6 +71,7 @@ static cd_water* scene(const struct way* way, enum extra extra, uint64_t seed, c
         ok(cd_water_set_side(w, CD_SIDE_X_FIRST, CD_BORDER_OPEN, 0.7, 0.02));
         ok(cd_water_set_side(w, CD_SIDE_Y_FIRST, CD_BORDER_OPEN, 0.4, 0));
         ok(cd_water_set_side(w, CD_SIDE_Y_LAST, CD_BORDER_INFLOW, 0.1, 0.03));
+        ok(cd_water_set_inflow_depth(w, CD_SIDE_Y_LAST, seed % 2 ? 0.05 : 0));
     }
     if (extra == PUSHED) {
         static const cd_field pushes[] = {CD_SOURCE, CD_PRESSURE, CD_FORCE_X, CD_FORCE_Y};
@@ -129,11 +130,13 @@ static cd_water* view_of(const cd_water* from, enum view view, const struct way*
     ok(cd_water_set_manning(to, manning));
     for (cd_side s = 0; s < 4; ++s) {
         cd_border kind;
-        double value, rate;
+        double value, rate, depth;
         cd_side as = swap ? (s + 2) % 4 : s;
         if ((view == MIRRORED_X && s < 2) || (view == MIRRORED_Y && s >= 2)) as = s ^ 1;
         ok(cd_water_get_side(from, s, &kind, &value, &rate));
         if (kind != CD_BORDER_WALL) ok(cd_water_set_side(to, as, kind, value, rate));
+        ok(cd_water_get_inflow_depth(from, s, &depth));
+        ok(cd_water_set_inflow_depth(to, as, depth));
     }
     for (size_t f = 0; f < COUNT(copied); ++f) {
         if (!has(from, copied[f])) continue;

@@ -1,15 +1,13 @@
 """The rules that take_out.py takes out."""
 
-CLOTH = "../model/membrane_cloth.cpp"
-CLOTH_STEP = "../model/membrane_cloth_step.cpp"
+CLOTH, CLOTH_STEP = "../model/membrane_cloth.cpp", "../model/membrane_cloth_step.cpp"
 CLOTH_ACT = "../model/membrane_cloth_act.cpp"
 CLOTH_TEAR = "../model/membrane_cloth_tear.cpp"
-SLEEP = "../model/water_sleep.cpp"
-SURVEY = "../model/water_survey.cpp"
+SLEEP, SURVEY = "../model/water_sleep.cpp", "../model/water_survey.cpp"
 SLEEPS = ["physics_water_sleep"]
 BODIES = ["physics_sleep", "physics_sleep_colliders"]
-HULL = "../model/water_hull.hh"
-HULL_PLATES = "../model/water_hull_plates.hh"
+TOUCHES, OVERLAPS = ["physics_rope_contact"], ["physics_rope_overlaps"]
+HULL, HULL_PLATES = "../model/water_hull.hh", "../model/water_hull_plates.hh"
 HULL_STEP = "../model/water_hull_step.cpp"
 
 # Name: file, what is there, what takes its place, tests to run (the first one that fails ends a rule).
@@ -97,6 +95,9 @@ RULES = {
         "water/line.hh", "return sweep.implicit ? larger(theta, L::splat(1) - part) : theta;", "return theta;", ["physics_water_forces"]),
     "what comes in at an end brings energy": (
         "water/velocity.hh", "if (!ring) most =", "if (false) most =", ["physics_water_sides", "stability_water_extremes"]),
+    "what comes in in a given depth has its speed from that": (
+        "water/velocity.hh", "const bool is_given = sweep.end[e].depth > 0;", "const bool is_given = false;",
+        ["physics_water_gates"]),
     "slopes of velocities within cells": (
         "water/momentum.hh", "const L part = smaller(run, positive(L::splat(1) - run)) * even_depth(cell);", "const L part = 0.0 * run;",
         ["physics_water_sides"]),
@@ -205,9 +206,8 @@ RULES = {
         "rope_step.cpp", "? L::splat(stage.tolerance) - reached : L{};", "? one() : L{};", ["physics_rope_breaks"]),
     "where links push, what is added to masses calms Newton's method": (
         "rope_step.cpp", "select(reached - before, within(kRise * added, 1, kMostAdded), kFall * added)", "L{}",
-        ["physics_rope_contact"]),
-    "but is no more than rounding bears": (
-        "rope_step.cpp", "kMostAdded = 1e6;", "kMostAdded = 1e300;", ["physics_rope_contact"]),
+        TOUCHES),
+    "but is no more than rounding bears": ("rope_step.cpp", "kMostAdded = 1e6;", "kMostAdded = 1e300;", TOUCHES),
     "the interior point's barrier rises where an iteration is stuck": (
         "rope_step.cpp", "L::splat(1 / kBarrierFall)", "L::splat(kBarrierFall)", ["physics_bed"]),
     "but not beyond what it was to begin with": (
@@ -215,15 +215,15 @@ RULES = {
     "and stiff joints count for it": ("rope_step.cpp", "* bent() : L{}", "* L{} : L{}", ["stability_ropes"]),
     "the push on a rod's first node is found as others are": (
         "rope_rod.hh", "        if (has_contacts()) pressed(i, left);\n        if (i == 0) return;\n",
-        "        if (i == 0) return;\n        if (has_contacts()) pressed(i, left);\n", ["physics_rope_contact"]),
+        "        if (i == 0) return;\n        if (has_contacts()) pressed(i, left);\n", TOUCHES),
     "where links push Newton's method goes on": (
-        "rope_step.cpp", "stage.push ? stage.most_iterations : 0", "0", ["physics_rope_contact"]),
+        "rope_step.cpp", "stage.push ? stage.most_iterations : 0", "0", TOUCHES),
     "what a failed solve touches is looked at again": (
-        "rope_step.cpp", "at < node_count * stage.collider_count && has_contacts()", "false", ["physics_rope_overlaps"]),
-    "but by pushes that mean nothing": (
-        "rope_step.cpp", ", c.push = select(open, L{}, c.push);", ";", ["physics_rope_overlaps"]),
+        "rope_step.cpp", "at < node_count * stage.collider_count && has_contacts()", "false", OVERLAPS),
+    "but by pushes that mean nothing": ("rope_step.cpp", ", c.push = select(open, L{}, c.push);", ";", OVERLAPS),
     "and what is still inside came out by no more than it went": (
-        "rope_step.cpp", "        c.before = select(open, L{} - came_out, c.before);\n", "", ["physics_rope_overlaps"]),
+        "rope_step.cpp", "        c.before = select(open, L{} - came_out, c.before);\n", "", OVERLAPS),
+    "and what it was outside of it did not meet": ("rope_step.cpp", "select(came_out, one(), L{})", "one()", OVERLAPS),
     "a curl turns with its rod": ("rope_rod.hh", "stage.curls ? joint.turn * along : along", "along", ["physics_rope_curl"]),
     "to the other side where it is solved from its end": (
         "rope_rod.hh", "comes_back[j] ? -1 : 1", "1", ["physics_rope_ends"]),
@@ -246,7 +246,7 @@ RULES = {
         "rope_step.cpp", "larger(seen.pushed, seen.slack * seen.lengths)", "seen.slack * seen.lengths",
         ["stability_ropes"]),
     "colliders that a node is not near do not push by the first guess": (
-        "rope_contact.hh", "kNear = 1e-3;", "kNear = 1;", ["physics_rope_contact"]),
+        "rope_contact.hh", "kNear = 1e-3;", "kNear = 1;", TOUCHES),
     "slack springs of the interior point bear no tension": (
         "rope_step.cpp", "larger(seen.pushed, seen.slack * seen.lengths)", "seen.pushed", ["stability_ropes"]),
     "what fails is tried with lambda = 1": (
@@ -301,41 +301,42 @@ RULES = {
         "rope_bundle.hh", "rest(i), here = here.in(s.moves);", "rest(i);", ["stability_ropes", "determinism_parallel"]),
     "pushes act along the normal at the start": (
         "rope_contact.hh", "        const L changed =", "        c.acting = c.normal;\n        const L changed =",
-        ["physics_rope_contact"]),
-    "what lay inside is not thrown": (
-        "rope_contact.hh", "        n.next = n.next - speed_out(i);\n", "", ["physics_rope_contact"]),
+        TOUCHES),
+    "what lay inside is not thrown": ("rope_contact.hh", "        n.next = n.next - speed_out(i);\n", "", TOUCHES),
     "and leaves several colliders together": (
-        "rope_contact.hh", "(1 / stage.dt) * inside - dot(c.normal, out)", "(1 / stage.dt) * inside", ["physics_rope_overlaps"]),
+        "rope_contact.hh", "(-1 / stage.dt) * c.before - dot(c.normal, out)", "(-1 / stage.dt) * c.before", OVERLAPS),
+    "and enters none that it meets on its way out": (
+        "rope_contact.hh", "meets = goes_on * c.on;", "meets = goes_on * c.on * positive(L{} - c.before);", OVERLAPS),
+    "by sweeps that go further, where walls lean by a few degrees": (
+        "rope_contact.hh", "kFurther = 1.7;", "kFurther = 1;", OVERLAPS),
+    "as many as that takes": ("rope_contact.hh", "kSweepsOut = 100;", "kSweepsOut = 16;", OVERLAPS),
     "and what lies on an axis across it": (
-        "rope_contact.hh", "    way_off_line(to.way, ropes.components, out);\n", "    out[0] = 1;\n", ["physics_rope_overlaps"]),
-    "nor is its strand": ("rope_contact.hh", "if (!any_positive(lost)) return;", "return;", ["physics_rope_contact"]),
+        "rope_contact.hh", "    way_off_line(to.way, ropes.components, out);\n", "    out[0] = 1;\n", OVERLAPS),
+    "nor is its strand": ("rope_contact.hh", "if (!any_positive(lost)) return;", "return;", TOUCHES),
     "what yields takes energy": (
         "rope_bundle.hh", "here.gained = here.gained - by_yielding(s, stretch);", "(void)0;", ["physics_rope"]),
     "the linear system of a spring that turns keeps its answer": (
         "rope_bundle.hh", "(interior ? by_turning : by_turning / straight)", "by_turning", ["physics_rope"]),
     "what touches steps with lambda = 1": (
-        "rope_step.cpp", "if (has_contacts() && stage.lambda < 1)", "if (false)", ["physics_rope_contact"]),
+        "rope_step.cpp", "if (has_contacts() && stage.lambda < 1)", "if (false)", TOUCHES),
     "and was no solution before": (
-        "rope_step.cpp", "reached = select(touched, L::splat(INFINITY), reached);", "", ["physics_rope_contact"]),
+        "rope_step.cpp", "reached = select(touched, L::splat(INFINITY), reached);", "", TOUCHES),
     "the push that is known makes up for the rest": (
-        "rope_contact.hh", "leaving(i, c) + select(c.on, c.push / stiffness, L{})", "leaving(i, c)", ["physics_rope_contact"]),
+        "rope_contact.hh", "leaving(i, c) + select(c.on, c.push / stiffness, L{})", "leaving(i, c)", TOUCHES),
     "Newton's method knows how friction depends on the slip": (
-        "rope_contact.hh", "c.along = c.along * (one() - c.had), ", "", ["physics_rope_contact"]),
-    "and on the push": ("rope_contact.hh", "c.follows = friction * slip / speed, ", "", ["physics_rope_contact"]),
+        "rope_contact.hh", "c.along = c.along * (one() - c.had), ", "", TOUCHES),
+    "and on the push": ("rope_contact.hh", "c.follows = friction * slip / speed, ", "", TOUCHES),
     "about the friction that the last elimination had": (
-        "rope_contact.hh", "select(was * (speed * most), share, law)", "law", ["physics_rope_contact"]),
+        "rope_contact.hh", "select(was * (speed * most), share, law)", "law", TOUCHES),
     "what pushes lies at the surface": (
-        "rope_contact.hh", "select(was, size_of(c.gap), positive(L{} - c.gap))", "positive(L{} - c.gap)", ["physics_rope_contact"]),
+        "rope_contact.hh", "select(was, size_of(c.gap), positive(L{} - c.gap))", "positive(L{} - c.gap)", TOUCHES),
     "strands without mass touch nothing": (
-        "rope_contact.hh", "select(c.on, c.push / stiffness, L{})", "c.push / stiffness", ["physics_rope_contact"]),
+        "rope_contact.hh", "select(c.on, c.push / stiffness, L{})", "c.push / stiffness", TOUCHES),
     "friction that does not settle is of the push found by then": (
-        "rope_contact.hh", "kGripIterations = 50;", "kGripIterations = 10000;", ["physics_rope_contact"]),
-    "friction is right to 1%": (
-        "rope_contact.hh", "kFrictionError = 1e-2;", "kFrictionError = 1e2;", ["physics_rope_contact"]),
-    "and sticks below a speed": (
-        "rope_contact.hh", "kStickSpeed = 1e-4;", "kStickSpeed = 1e-2;", ["physics_rope_contact"]),
-    "held nodes touch nothing": (
-        "rope_contact.hh", "free = opposite(held(i));", "free = one();", ["physics_rope_contact"]),
+        "rope_contact.hh", "kGripIterations = 50;", "kGripIterations = 10000;", TOUCHES),
+    "friction is right to 1%": ("rope_contact.hh", "kFrictionError = 1e-2;", "kFrictionError = 1e2;", TOUCHES),
+    "and sticks below a speed": ("rope_contact.hh", "kStickSpeed = 1e-4;", "kStickSpeed = 1e-2;", TOUCHES),
+    "held nodes touch nothing": ("rope_contact.hh", "free = opposite(held(i));", "free = one();", TOUCHES),
     "loads go as far as the interior point goes": (
         "rope_step.cpp", "take_pushes(part);", "take_pushes(one());", ["physics_rope_loads"]),
     "what a node forgets was not given by what it came out of": (
@@ -433,8 +434,7 @@ RULES = {
         "water/sweep.cpp", "line.load[i] + (stiff - L::splat(2)) * d", "0.0 * d", ["stability_water_hulls"]),
     "and what air or wind presses dry": (
         "water/sweep.cpp", "line.acceleration && i < line.n", "false && i < line.n", ["stability_water_energy"]),
-    "what drifting makes is owed": (
-        HULL_STEP, "due = h.owed + more;", "due = 0 * more;", ["stability_water_hulls"]),
+    "what drifting makes is owed": (HULL_STEP, "due = h.owed + more;", "due = 0 * more;", ["stability_water_hulls"]),
     "a hull owes a part of what it had before the push": (
         HULL_STEP, "kCredit * (had + energy);", "kCredit * (moving_energy() + energy + 0 * had);",
         ["stability_water_hulls"]),
@@ -457,8 +457,7 @@ RULES = {
     "hulls feel the slope of what they press": (
         HULL_PLATES, "(along[k] * across[c]));", "(0.5 * across[c]));", ["physics_water_hulls"]),
     "beyond a side slopes are mirrored": (HULL_PLATES, "> 0 ? -1 : 1;", "> 0 ? 1 : 1;", ["physics_water_hulls"]),
-    "hulls stop before sides, and leave them": (
-        HULL_STEP, "kHullGap = 1;", "kHullGap = 0;", ["physics_water_hulls"]),
+    "hulls stop before sides, and leave them": (HULL_STEP, "kHullGap = 1;", "kHullGap = 0;", ["physics_water_hulls"]),
     "friction holds a hull before it moves": (
         HULL_STEP, ", rubbed = rub(contact.by_bed);\n        drift(pose, before, made, rubbed, contact.energy);\n",
         ";\n        drift(pose, before, made, 0, contact.energy);\n        rub(contact.by_bed);\n", ["physics_water_hulls"]),
@@ -485,8 +484,7 @@ RULES = {
         "../model/membrane_work.cpp", "&& !all_held &&", "&&", ["stability_membrane_rigid"]),
     "contacts of cloth yield little": (
         CLOTH_ACT, "kContactStiffness = 1e4,", "kContactStiffness = 1e2,", ["physics_cloth_contact"]),
-    "and stick below a speed": (
-        CLOTH_ACT, "kStickSpeed = 1e-3,", "kStickSpeed = 1e-1,", ["physics_cloth_contact"]),
+    "and stick below a speed": (CLOTH_ACT, "kStickSpeed = 1e-3,", "kStickSpeed = 1e-1,", ["physics_cloth_contact"]),
     "a line of cloth's springs tears in one place of a step": (
         CLOTH_TEAR, "if (now > worst[line * stride]) worst[line * stride] = now, place[line * stride] = double(i);",
         "if (now > 1) m.spring_stiffness[d][at] = 0;", ["physics_cloth_tears"]),
@@ -495,6 +493,5 @@ RULES = {
     "by multiples of what each spring bears": (
         CLOTH_TEAR, " / breaking_strain_of(m, d, u, v)", " - breaking_strain_of(m, d, u, v) + 1",
         ["physics_cloth_tears"]),
-    "wind goes through what is torn open": (
-        CLOTH_ACT, "!whole || is_open(m, u, v)", "!whole", ["physics_cloth_tears"]),
+    "wind goes through what is torn open": (CLOTH_ACT, "!whole || is_open(m, u, v)", "!whole", ["physics_cloth_tears"]),
 }

@@ -531,6 +531,9 @@ void waters() {
     OK(pool.set_side(side::x_first, border::open, 2, -0.5));
     const water::boundary sea = GET(pool.get_side(side::x_first));
     CHECK(sea.kind == border::open && sea.value == 2 && sea.rate == -0.5);
+    OK(pool.set_inflow_depth(side::x_first, 0.5));
+    CHECK(GET(pool.get_inflow_depth(side::x_first)) == 0.5);
+    OK(pool.set_inflow_depth(side::x_first, 0));
     OK(pool.set_side(side::x_first, border::wall));
     OK(pool.set_bed_rule(bed_rule::keeps_surface));
     CHECK(GET(pool.get_bed_rule()) == bed_rule::keeps_surface);

@@ -1856,7 +1856,7 @@ namespace Contdyn
 
         /// <summary>Adds impulse [N s], one number per component, to a node: its velocity changes by impulse / mass, in
         /// a welded group by impulse / the group's mass; a held node takes none. Errors: CD_ERROR_RANGE,
-        /// CD_ERROR_VALUE.</summary>
+        /// CD_ERROR_VALUE, CD_ERROR_DIVERGED.</summary>
         public void Impulse(long strand, long node, params double[] impulse)
         {
             fixed (double* impulsePointer = impulse)
@@ -1866,7 +1866,7 @@ namespace Contdyn
 #if CONTDYN_SPANS
         /// <summary>Adds impulse [N s], one number per component, to a node: its velocity changes by impulse / mass, in
         /// a welded group by impulse / the group's mass; a held node takes none. Errors: CD_ERROR_RANGE,
-        /// CD_ERROR_VALUE.</summary>
+        /// CD_ERROR_VALUE, CD_ERROR_DIVERGED.</summary>
         public void Impulse(long strand, long node, ReadOnlySpan<double> impulse)
         {
             fixed (double* impulsePointer = &MemoryMarshal.GetReference(impulse))
@@ -3776,11 +3776,11 @@ namespace Contdyn
             return data;
         }
 
-        /// <summary>Adds impulse [N s], one number per component, spread over the nodes that are less than `radius`
-        /// springs away from the place (u, v), counted on the lattice and not round a ring, by the weights (1 -
-        /// (distance / radius)^2)^2, which are scaled to sum to 1; all on the nearest node if there is none. A node's
-        /// velocity changes by its share / its mass; held and absent nodes lose it. u in [0, nu], v in [0, nv], radius
-        /// &gt;= 0. Errors: CD_ERROR_RANGE, CD_ERROR_VALUE.</summary>
+        /// <summary>Adds impulse [N s], one number per component, spread over the nodes less than `radius` springs away
+        /// from the place (u, v), counted on the lattice and not round a ring, by weights (1 - (distance /
+        /// radius)^2)^2, scaled to sum to 1; all on the nearest node if there is none. A node's velocity changes by its
+        /// share / its mass; held and absent nodes lose it. u in [0, nu], v in [0, nv], radius &gt;= 0. Errors:
+        /// CD_ERROR_RANGE, CD_ERROR_VALUE, CD_ERROR_DIVERGED.</summary>
         public void Impulse(double u, double v, double radius, params double[] impulse)
         {
             fixed (double* impulsePointer = impulse)
@@ -3788,11 +3788,11 @@ namespace Contdyn
         }
 
 #if CONTDYN_SPANS
-        /// <summary>Adds impulse [N s], one number per component, spread over the nodes that are less than `radius`
-        /// springs away from the place (u, v), counted on the lattice and not round a ring, by the weights (1 -
-        /// (distance / radius)^2)^2, which are scaled to sum to 1; all on the nearest node if there is none. A node's
-        /// velocity changes by its share / its mass; held and absent nodes lose it. u in [0, nu], v in [0, nv], radius
-        /// &gt;= 0. Errors: CD_ERROR_RANGE, CD_ERROR_VALUE.</summary>
+        /// <summary>Adds impulse [N s], one number per component, spread over the nodes less than `radius` springs away
+        /// from the place (u, v), counted on the lattice and not round a ring, by weights (1 - (distance /
+        /// radius)^2)^2, scaled to sum to 1; all on the nearest node if there is none. A node's velocity changes by its
+        /// share / its mass; held and absent nodes lose it. u in [0, nu], v in [0, nv], radius &gt;= 0. Errors:
+        /// CD_ERROR_RANGE, CD_ERROR_VALUE, CD_ERROR_DIVERGED.</summary>
         public void Impulse(double u, double v, double radius, ReadOnlySpan<double> impulse)
         {
             fixed (double* impulsePointer = &MemoryMarshal.GetReference(impulse))
@@ -4730,7 +4730,7 @@ namespace Contdyn
             Check(Native.cd_water_set_side(Handle, (int)side, (int)kind, value, rate));
         }
 
-        /// <summary>The kind, and value and rate as of now; 0 where they mean nothing. Each output may be null. Errors:
+        /// <summary>Value and rate as of now; 0 where they mean nothing. Each output may be null. Errors:
         /// CD_ERROR_ENUM.</summary>
         public WaterSide GetSide(Side side)
         {
@@ -4739,6 +4739,29 @@ namespace Contdyn
             double outRate;
             Check(Native.cd_water_get_side(Handle, (int)side, &outKind, &outValue, &outRate));
             return new WaterSide((Border)outKind, outValue, outRate);
+        }
+
+        /// <summary>Depth of an inflow [m], 0 or in [1e-6, 1e30]; default 0: that of the cell at the side. Else
+        /// advected water comes in at the speed of its discharge in that depth, as under a gate so far open: faster
+        /// than its waves, it has that depth in the first cell; if slower, or if it drowns the gate, that of what comes
+        /// after. Other sides, outflow and linear momentum do not use it; cd_water_set_side keeps it. Errors:
+        /// CD_ERROR_ENUM; CD_ERROR_VALUE.</summary>
+        public void SetInflowDepth(Side side, double depth)
+        {
+            Changed();
+            Check(Native.cd_water_set_inflow_depth(Handle, (int)side, depth));
+        }
+
+        /// <summary>Depth of an inflow [m], 0 or in [1e-6, 1e30]; default 0: that of the cell at the side. Else
+        /// advected water comes in at the speed of its discharge in that depth, as under a gate so far open: faster
+        /// than its waves, it has that depth in the first cell; if slower, or if it drowns the gate, that of what comes
+        /// after. Other sides, outflow and linear momentum do not use it; cd_water_set_side keeps it. Errors:
+        /// CD_ERROR_ENUM; CD_ERROR_VALUE.</summary>
+        public double GetInflowDepth(Side side)
+        {
+            double outDepth;
+            Check(Native.cd_water_get_inflow_depth(Handle, (int)side, &outDepth));
+            return outDepth;
         }
 
         /// <summary>What a write to CD_BED leaves as it is; default CD_BED_LIFTS_WATER. Errors:
@@ -4768,8 +4791,8 @@ namespace Contdyn
             Check(Native.cd_water_enable_field(Handle, (int)field));
         }
 
-        /// <summary>Switches a field off and releases its memory. Errors: CD_ERROR_ENUM; CD_ERROR_UNSUPPORTED for a
-        /// field that is always there.</summary>
+        /// <summary>Switches a field off and releases its memory. Errors: CD_ERROR_ENUM; CD_ERROR_UNSUPPORTED if it is
+        /// always there.</summary>
         public void DisableField(Field field)
         {
             Changed();
@@ -4936,8 +4959,8 @@ namespace Contdyn
         }
 
         /// <summary>Adds volume [m^3] over a disc, or takes it if negative, as far as there is water in each cell's
-        /// share. out_added, which may be null, tells what it came to. The account counts it. Errors:
-        /// CD_ERROR_VALUE.</summary>
+        /// share. out_added, which may be null, tells what it came to. The account counts it. Errors: CD_ERROR_VALUE,
+        /// CD_ERROR_DIVERGED.</summary>
         public double AddVolume(double x, double y, double radius, double volume)
         {
             double outAdded;
@@ -4947,7 +4970,7 @@ namespace Contdyn
         }
 
         /// <summary>Adds volume [m^3] evenly over the cells there of a rectangle, or takes it; out_added as above.
-        /// Errors: CD_ERROR_RANGE; CD_ERROR_VALUE.</summary>
+        /// Errors: CD_ERROR_RANGE; CD_ERROR_VALUE, CD_ERROR_DIVERGED.</summary>
         public double AddVolumeRectangle(long firstX, long firstY, long nX, long nY, double volume)
         {
             double outAdded;
@@ -4979,8 +5002,8 @@ namespace Contdyn
         }
 
         /// <summary>A splash: water of the disc, down to `height` [m] &gt;= 0 at its centre and as far as there is
-        /// water, is heaped up on the wet cells around it, out to twice the radius; volume is kept. Nothing happens
-        /// where no wet cell is there to take it. Errors: CD_ERROR_VALUE.</summary>
+        /// water, is heaped up on the wet cells around it, out to twice the radius, if there are any; volume is kept.
+        /// Errors: CD_ERROR_VALUE, _DIVERGED.</summary>
         public void Splash(double x, double y, double radius, double height)
         {
             Changed();
@@ -4988,8 +5011,8 @@ namespace Contdyn
         }
 
         /// <summary>Adds an impulse (x, y) [N s] over a disc: a face's velocity changes by its share of it / the mass
-        /// of water at it, shares being in proportion to that mass too; on dry faces nothing happens. Errors:
-        /// CD_ERROR_VALUE.</summary>
+        /// of water at it, shares in proportion to that mass too; on dry faces nothing happens. Errors: CD_ERROR_VALUE,
+        /// CD_ERROR_DIVERGED.</summary>
         public void Impulse(double x, double y, double radius, double impulseX, double impulseY)
         {
             Changed();
@@ -5339,8 +5362,8 @@ namespace Contdyn
             return new WaterHullDrag(outAlong, outAcross, outFriction);
         }
 
-        /// <summary>What water and bed did to a hull in the last step: 6 numbers, forces along x and y and up [N],
-        /// moments of yaw, pitch and roll [N m].</summary>
+        /// <summary>What a hull felt from water and bed in the last step: 6 numbers, forces x, y, up [N], moments yaw,
+        /// pitch, roll [N m].</summary>
         public void GetHullLoad(long index, double[] outLoad)
         {
             fixed (double* outLoadPointer = outLoad)
@@ -5348,8 +5371,8 @@ namespace Contdyn
         }
 
 #if CONTDYN_SPANS
-        /// <summary>What water and bed did to a hull in the last step: 6 numbers, forces along x and y and up [N],
-        /// moments of yaw, pitch and roll [N m].</summary>
+        /// <summary>What a hull felt from water and bed in the last step: 6 numbers, forces x, y, up [N], moments yaw,
+        /// pitch, roll [N m].</summary>
         public void GetHullLoad(long index, Span<double> outLoad)
         {
             fixed (double* outLoadPointer = &MemoryMarshal.GetReference(outLoad))
@@ -5456,8 +5479,8 @@ namespace Contdyn
         }
 
         /// <summary>What the last call of cd_water_step had to hold back so that no cell gave more than it had and got:
-        /// in how many cells, counted once per sweep and part, and how much water [m^3] went or came less through
-        /// faces. Each output may be null.</summary>
+        /// in how many cells, counted once per sweep and part, and how much less water [m^3] went through faces. Each
+        /// output may be null.</summary>
         public WaterLimited GetLimited()
         {
             ulong outCells;

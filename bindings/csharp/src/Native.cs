@@ -748,6 +748,12 @@ namespace Contdyn
             double* outRate);
 
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int cd_water_set_inflow_depth(WaterHandle water, int side, double depth);
+
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int cd_water_get_inflow_depth(WaterHandle water, int side, double* outDepth);
+
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
         internal static extern int cd_water_set_bed_rule(WaterHandle water, int rule);
 
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]

@@ -404,6 +404,8 @@ test("several results come as an object", () => {
     new Float64Array(4)]);
   pool.setSide("xFirst", "open", 2, 0.5);
   assert.deepEqual(pool.getSide("xFirst"), { kind: "open", value: 2, rate: 0.5 });
+  pool.setInflowDepth("xFirst", 0.25);
+  assert.equal(pool.getInflowDepth("xFirst"), 0.25);
   assert(pool.addVolume(2, 2, 2, 0.5) > 0.49);
   assert.equal(pool.account.initial, 40);
 });

@@ -296,6 +296,8 @@ cd_status cd_water_get_manning(const cd_water* water, double* out_manning);
 cd_status cd_water_set_side(cd_water* water, cd_side side, cd_border kind, double value, double rate);
 cd_status cd_water_get_side(const cd_water* water, cd_side side, cd_border* out_kind, double* out_value,
     double* out_rate);
+cd_status cd_water_set_inflow_depth(cd_water* water, cd_side side, double depth);
+cd_status cd_water_get_inflow_depth(const cd_water* water, cd_side side, double* out_depth);
 cd_status cd_water_set_bed_rule(cd_water* water, cd_bed_rule rule);
 cd_status cd_water_get_bed_rule(const cd_water* water, cd_bed_rule* out_rule);
 cd_status cd_water_enable_field(cd_water* water, cd_field field);
@@ -1601,7 +1603,7 @@ function Chain:view(field)
 end
 
 -- Adds impulse [N s], one number per component, to a node: its velocity changes by impulse / mass, in a welded group by
--- impulse / the group's mass; a held node takes none. Errors: CD_ERROR_RANGE, CD_ERROR_VALUE.
+-- impulse / the group's mass; a held node takes none. Errors: CD_ERROR_RANGE, CD_ERROR_VALUE, CD_ERROR_DIVERGED.
 function Chain:impulse(strand, node, impulse)
   local where = "cd_chain_impulse"
   strand = integer_in(strand, where, "strand")
@@ -2853,10 +2855,10 @@ function Membrane:view(field)
   end, 3)
 end
 
--- Adds impulse [N s], one number per component, spread over the nodes that are less than `radius` springs away from the
--- place (u, v), counted on the lattice and not round a ring, by the weights (1 - (distance / radius)^2)^2, which are
--- scaled to sum to 1; all on the nearest node if there is none. A node's velocity changes by its share / its mass; held
--- and absent nodes lose it. u in [0, nu], v in [0, nv], radius >= 0. Errors: CD_ERROR_RANGE, CD_ERROR_VALUE.
+-- Adds impulse [N s], one number per component, spread over the nodes less than `radius` springs away from the place
+-- (u, v), counted on the lattice and not round a ring, by weights (1 - (distance / radius)^2)^2, scaled to sum to 1;
+-- all on the nearest node if there is none. A node's velocity changes by its share / its mass; held and absent nodes
+-- lose it. u in [0, nu], v in [0, nv], radius >= 0. Errors: CD_ERROR_RANGE, CD_ERROR_VALUE, CD_ERROR_DIVERGED.
 function Membrane:impulse(u, v, radius, impulse)
   local where = "cd_membrane_impulse"
   u = number_in(u, where, "u")
@@ -3425,7 +3427,7 @@ function Water:set_side(side, kind, value, rate)
   check(lib.cd_water_set_side(handle_of(self), side, kind, value, rate))
 end
 
--- The kind, and value and rate as of now; 0 where they mean nothing. Each output may be null. Errors: CD_ERROR_ENUM.
+-- Value and rate as of now; 0 where they mean nothing. Each output may be null. Errors: CD_ERROR_ENUM.
 function Water:get_side(side)
   local where = "cd_water_get_side"
   side = enum_in("cd_side", side, where, "side")
@@ -3434,6 +3436,30 @@ function Water:get_side(side)
   local out_rate = double_1()
   check(lib.cd_water_get_side(handle_of(self), side, out_kind, out_value, out_rate))
   return enum_out("cd_border", out_kind[0]), tonumber(out_value[0]), tonumber(out_rate[0])
+end
+
+-- Depth of an inflow [m], 0 or in [1e-6, 1e30]; default 0: that of the cell at the side. Else advected water comes in
+-- at the speed of its discharge in that depth, as under a gate so far open: faster than its waves, it has that depth in
+-- the first cell; if slower, or if it drowns the gate, that of what comes after. Other sides, outflow and linear
+-- momentum do not use it; cd_water_set_side keeps it. Errors: CD_ERROR_ENUM; CD_ERROR_VALUE.
+function Water:set_inflow_depth(side, depth)
+  local where = "cd_water_set_inflow_depth"
+  side = enum_in("cd_side", side, where, "side")
+  depth = number_in(depth, where, "depth")
+  self._version = self._version + 1
+  check(lib.cd_water_set_inflow_depth(handle_of(self), side, depth))
+end
+
+-- Depth of an inflow [m], 0 or in [1e-6, 1e30]; default 0: that of the cell at the side. Else advected water comes in
+-- at the speed of its discharge in that depth, as under a gate so far open: faster than its waves, it has that depth in
+-- the first cell; if slower, or if it drowns the gate, that of what comes after. Other sides, outflow and linear
+-- momentum do not use it; cd_water_set_side keeps it. Errors: CD_ERROR_ENUM; CD_ERROR_VALUE.
+function Water:get_inflow_depth(side)
+  local where = "cd_water_get_inflow_depth"
+  side = enum_in("cd_side", side, where, "side")
+  local out_depth = double_1()
+  check(lib.cd_water_get_inflow_depth(handle_of(self), side, out_depth))
+  return tonumber(out_depth[0])
 end
 
 -- What a write to CD_BED leaves as it is; default CD_BED_LIFTS_WATER. Errors: CD_ERROR_ENUM.
@@ -3461,8 +3487,7 @@ function Water:enable_field(field)
   check(lib.cd_water_enable_field(handle_of(self), field))
 end
 
--- Switches a field off and releases its memory. Errors: CD_ERROR_ENUM; CD_ERROR_UNSUPPORTED for a field that is always
--- there.
+-- Switches a field off and releases its memory. Errors: CD_ERROR_ENUM; CD_ERROR_UNSUPPORTED if it is always there.
 function Water:disable_field(field)
   local where = "cd_water_disable_field"
   field = enum_in("cd_field", field, where, "field")
@@ -3553,7 +3578,7 @@ function Water:view(field)
 end
 
 -- Adds volume [m^3] over a disc, or takes it if negative, as far as there is water in each cell's share. out_added,
--- which may be null, tells what it came to. The account counts it. Errors: CD_ERROR_VALUE.
+-- which may be null, tells what it came to. The account counts it. Errors: CD_ERROR_VALUE, CD_ERROR_DIVERGED.
 function Water:add_volume(x, y, radius, volume)
   local where = "cd_water_add_volume"
   x = number_in(x, where, "x")
@@ -3567,7 +3592,7 @@ function Water:add_volume(x, y, radius, volume)
 end
 
 -- Adds volume [m^3] evenly over the cells there of a rectangle, or takes it; out_added as above. Errors:
--- CD_ERROR_RANGE; CD_ERROR_VALUE.
+-- CD_ERROR_RANGE; CD_ERROR_VALUE, CD_ERROR_DIVERGED.
 function Water:add_volume_rectangle(first_x, first_y, n_x, n_y, volume)
   local where = "cd_water_add_volume_rectangle"
   first_x = integer_in(first_x, where, "first_x")
@@ -3606,8 +3631,8 @@ function Water:add_source_rectangle(first_x, first_y, n_x, n_y, rate)
 end
 
 -- A splash: water of the disc, down to `height` [m] >= 0 at its centre and as far as there is water, is heaped up on
--- the wet cells around it, out to twice the radius; volume is kept. Nothing happens where no wet cell is there to take
--- it. Errors: CD_ERROR_VALUE.
+-- the wet cells around it, out to twice the radius, if there are any; volume is kept. Errors: CD_ERROR_VALUE,
+-- _DIVERGED.
 function Water:splash(x, y, radius, height)
   local where = "cd_water_splash"
   x = number_in(x, where, "x")
@@ -3619,7 +3644,7 @@ function Water:splash(x, y, radius, height)
 end
 
 -- Adds an impulse (x, y) [N s] over a disc: a face's velocity changes by its share of it / the mass of water at it,
--- shares being in proportion to that mass too; on dry faces nothing happens. Errors: CD_ERROR_VALUE.
+-- shares in proportion to that mass too; on dry faces nothing happens. Errors: CD_ERROR_VALUE, CD_ERROR_DIVERGED.
 function Water:impulse(x, y, radius, impulse_x, impulse_y)
   local where = "cd_water_impulse"
   x = number_in(x, where, "x")
@@ -3830,8 +3855,7 @@ function Water:get_hull_drag(index)
   return tonumber(out_along[0]), tonumber(out_across[0]), tonumber(out_friction[0])
 end
 
--- What water and bed did to a hull in the last step: 6 numbers, forces along x and y and up [N], moments of yaw, pitch
--- and roll [N m].
+-- What a hull felt from water and bed in the last step: 6 numbers, forces x, y, up [N], moments yaw, pitch, roll [N m].
 function Water:get_hull_load(index, out_load)
   local where = "cd_water_get_hull_load"
   index = integer_in(index, where, "index")
@@ -3915,8 +3939,7 @@ function Water:get_factorizations()
 end
 
 -- What the last call of cd_water_step had to hold back so that no cell gave more than it had and got: in how many
--- cells, counted once per sweep and part, and how much water [m^3] went or came less through faces. Each output may be
--- null.
+-- cells, counted once per sweep and part, and how much less water [m^3] went through faces. Each output may be null.
 function Water:get_limited()
   local where = "cd_water_get_limited"
   local out_cells = uint64_t_1()

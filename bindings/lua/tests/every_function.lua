@@ -748,6 +748,14 @@ return {
     {name = "cd_water_get_side", call = function(o, other, saved)
       return o:get_side("x_first")
     end},
+    {name = "cd_water_set_inflow_depth", call = function(o, other, saved)
+      return o:set_inflow_depth("x_first", 1)
+    end, told = function(o)
+      return {o:get_inflow_depth("x_first")}, {1}
+    end},
+    {name = "cd_water_get_inflow_depth", call = function(o, other, saved)
+      return o:get_inflow_depth("x_first")
+    end},
     {name = "cd_water_set_bed_rule", call = function(o, other, saved)
       return o:set_bed_rule("lifts_water")
     end, told = function(o)

@@ -640,6 +640,8 @@ FUNCTIONS: Dict[str, str] = {
     "cd_water_get_manning": "status: water handle, out_manning double*",
     "cd_water_set_side": "status: water handle, side int, kind int, value double, rate double",
     "cd_water_get_side": "status: water handle, side int, out_kind int*, out_value double*, out_rate double*",
+    "cd_water_set_inflow_depth": "status: water handle, side int, depth double",
+    "cd_water_get_inflow_depth": "status: water handle, side int, out_depth double*",
     "cd_water_set_bed_rule": "status: water handle, rule int",
     "cd_water_get_bed_rule": "status: water handle, out_rule int*",
     "cd_water_enable_field": "status: water handle, field int",

@@ -6,7 +6,7 @@ from math import prod
 from typing import TYPE_CHECKING, Any, Iterator, List, NamedTuple, Optional, Sequence, Tuple, Union
 
 from ._api import Precision
-from .errors import RangeError
+from .errors import RangeError, as_float
 
 try:
     import numpy
@@ -215,6 +215,8 @@ class _Taken(NamedTuple):
 
 def _taken_numpy(values: Values, precision: Optional[Precision]) -> _Taken:
     given = numpy.asarray(values)
+    if given.dtype == object and all(hasattr(number, "__float__") for number in given.flat):  # as Fraction is
+        given = numpy.array([as_float("a value", number) for number in given.flat]).reshape(given.shape)
     if given.dtype.kind not in "fiub":
         raise TypeError(f"values of type {given.dtype} are no real numbers")
     if precision is None:
@@ -245,7 +247,7 @@ def _nested(values: Any) -> Tuple[Tuple[int, ...], List[float]]:
     if isinstance(values, View):
         return values.shape, values.flat().tolist()
     if hasattr(values, "__float__") or hasattr(values, "__index__"):
-        return (), [float(values)]
+        return (), [as_float("a value", values)]
     if isinstance(values, (str, bytes)):
         raise TypeError(f"{type(values).__name__} holds no real numbers")
     parts = [_nested(value) for value in values]

@@ -4,12 +4,13 @@ import os
 import sys
 from ctypes import CDLL, ArgumentError
 from enum import IntEnum
+from operator import index
 from pathlib import Path
 from typing import Any, Callable, Iterator, List, NoReturn, Tuple
 
 from . import _api
 from ._api import FUNCTIONS, TYPES, VERSION
-from .errors import CLASSES, Error, RangeError, UnsupportedError
+from .errors import CLASSES, Error, RangeError, UnsupportedError, as_float, shown
 
 _ABI = f"0.{VERSION[1]}" if VERSION[0] == 0 else f"{VERSION[0]}"  # before 1.0 every minor version may change the API
 _FILE_NAMES = {
@@ -123,11 +124,14 @@ class Function:
         """Argument k is out of the range of its type, or of another type."""
         name, kind = _parameters(self.name)[k]
         if kind in MOST and hasattr(value, "__index__"):
-            raise RangeError(f"{self.name}: {name} is {value}, must be in [{LEAST[kind]}, {MOST[kind]}]")
+            raise RangeError(f"{self.name}: {name} is {shown(index(value))}, must be in [{LEAST[kind]}, {MOST[kind]}]")
+        if kind == "double" and (hasattr(value, "__float__") or hasattr(value, "__index__")):
+            as_float(f"{self.name}: {name}", value)
+        wanted = WORDS.get(kind, f"a {kind}")
         meant = "".join(f", as {kinds.__name__}.{value.upper()} is" for kinds in IntEnum.__subclasses__()
                         if kind == "int" and isinstance(value, str) and kinds.__module__ == _api.__name__
                         and value.upper() in kinds.__members__)
-        raise TypeError(f"{self.name}: {name} is {value!r}, must be {WORDS.get(kind, f'a {kind}')}{meant}") from None
+        raise TypeError(f"{self.name}: {name} is {shown(value)}, must be {wanted}{meant}") from None
 
 
 def text(name: str, number: int) -> str:

@@ -1,5 +1,5 @@
 """Exceptions: one class for each status of the C API, each an Error that carries the library's message."""
-from typing import ClassVar, Dict, Optional, Type
+from typing import ClassVar, Dict, Optional, SupportsFloat, Type
 
 from ._api import Status
 
@@ -101,3 +101,20 @@ class CallbackError(Error, ArithmeticError):
 
 
 CLASSES: Dict[int, Type[Error]] = {kind.status: kind for kind in Error.__subclasses__() if kind.status is not None}
+
+
+def shown(value: object) -> str:
+    """A value as messages show it, in some hundred characters at most."""
+    try:
+        text = str(int(value)) if isinstance(value, int) else repr(value)
+    except ValueError:  # of huge integers Python writes no digits
+        return "an int of thousands of digits"
+    return text if len(text) <= 100 else f"{text[:40]}... ({len(text)} characters)"
+
+
+def as_float(what: str, value: SupportsFloat) -> float:
+    """A number as a float; `what` is what messages call it."""
+    try:
+        return float(value)
+    except OverflowError:
+        raise InvalidValueError(f"{what} is {shown(value)}, which is beyond what a float holds") from None

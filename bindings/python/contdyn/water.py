@@ -182,6 +182,15 @@ class Water(Sheet, kind="water"):
         kind, value, rate = self._get("get_side", side)
         return SideState(Border(kind), value, rate)
 
+    def set_inflow_depth(self, side: Side, depth: float) -> None:
+        """Depth of an inflow [m], 0 or in [1e-6, 1e30], in which advected water comes in, as under a gate; by default 0:
+        that of the cell at the side."""
+        self._call("set_inflow_depth", side, depth)
+
+    def get_inflow_depth(self, side: Side) -> float:
+        """Depth of an inflow [m]."""
+        return float(self._get("get_inflow_depth", side)[0])
+
     # ---- fields -----------------------------------------------------------------------------------------------------
 
     depth = State(Field.DEPTH, "Depths [m], >= 0, shown without a copy; assigned, they are written. Shape (ny, nx).")

@@ -3,6 +3,7 @@ message, and that nothing has changed."""
 import math
 import re
 import unittest
+from fractions import Fraction
 
 import contdyn
 from contdyn import Chain, Edge, End, Field, Membrane, Method, Node, Precision, Water
@@ -352,14 +353,11 @@ class Errors(unittest.TestCase):
             moving(Chain).mass = -2
 
     def test_every_error_that_the_header_lists_is_here(self):
-        tried = {(function, error) for function, error, _, _ in CASES} | {("step", "DIVERGED"), ("load", "MEMORY"),
-                                                                         ("set_end", "DIVERGED"),
-                                                                         ("teleport", "DIVERGED"),
-                                                                         ("attach", "DIVERGED"),
-                                                                         ("enable_field", "DIVERGED"),
-                                                                         ("copy_state", "MEMORY"),
-                                                                         ("step", "TOLERANCE"),
-                                                                         ("step", "CALLBACK")}
+        tried = {(function, error) for function, error, _, _ in CASES}
+        tried |= {(function, "DIVERGED") for function in (
+            "step", "set_end", "teleport", "attach", "enable_field", "impulse", "splash", "add_volume",
+            "add_volume_rectangle")}
+        tried |= {("load", "MEMORY"), ("copy_state", "MEMORY"), ("step", "TOLERANCE"), ("step", "CALLBACK")}
         for shorts, error in listed():
             if error in ("NULL",):  # no null pointer is passed from Python
                 continue
@@ -376,11 +374,18 @@ class Errors(unittest.TestCase):
         chain.read(Field.POSITION)
         for use in (lambda: chain.step(0.01), lambda: chain.teleport(0, None, (1, 1, 1)),
                     lambda: chain.set_end(End.LAST, Node.POSED), lambda: chain.attach(0, 1, 1, 1),
-                    lambda: chain.enable_field(Field.TARGET)):
+                    lambda: chain.enable_field(Field.TARGET), lambda: chain.impulse(0, 1, (1, 1, 1))):
             with self.assertRaises(contdyn.DivergedError):
                 use()
         chain.reset()
         chain.step(0.01)
+        pool = moving(Water, Precision.FLOAT32)
+        pool.enable_field(Field.SOURCE)
+        pool.write(Field.SOURCE, 1e37)
+        for use in (lambda: pool.step(8, 10), lambda: pool.impulse(1, 1, 1, 1, 1), lambda: pool.splash(1, 1, 1, 1),
+                    lambda: pool.add_volume(1, 1, 1, 1), lambda: pool.add_volume_rectangle(0, 0, 1, 1, 1)):
+            with self.assertRaises(contdyn.DivergedError):
+                use()
 
     def test_no_memory_for_what_is_loaded(self):
         source = moving(Chain)
@@ -442,6 +447,21 @@ class Errors(unittest.TestCase):
 
         with self.assertRaisesRegex(contdyn.RangeError, "kernels is 4294967296, must be in"):
             contdyn.kernels_name(2**32)
+
+    def test_numbers_that_no_float_holds_are_values_out_of_range(self):
+        chain = moving(Chain)
+        before = chain.hash()
+        for huge, told in ((10**400, "10000"), (-10**5000, "an int of"), (Fraction(10**400), "Fraction")):
+            for use in (setting("mass", huge), lambda c: c.step(huge), setting("gravity", (0, huge)),
+                        setting("position", huge), lambda c: c.write(Field.POSITION, [0, huge], n=1),
+                        lambda c: c.impulse(0, 0, [huge, 0])):
+                with self.subTest(told), self.assertRaisesRegex(contdyn.InvalidValueError, f" is {told}.* beyond"):
+                    use(chain)
+        with self.assertRaisesRegex(contdyn.RangeError, "count is an int of thousands of digits, must be in"):
+            chain.step(0.01, 10**5000)
+        self.assertEqual(chain.hash(), before)
+        chain.position = 2**70  # beyond 64 bits, and a float
+        self.assertEqual(chain.position[0, 0, 0], 2.0**70)
 
     def test_what_was_left_out_of_the_library_is_named(self):
         class Bridge(Chain):

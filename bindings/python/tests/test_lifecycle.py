@@ -12,6 +12,7 @@ from support import KINDS, Heap, api, make, moving
 # What each function takes, beyond the object; by the C API's name without its prefix.
 ARGUMENTS = {
     "set_end": (0, 0), "get_end": (0,), "set_edge": (0, 0), "get_edge": (0,), "set_side": (0, 0), "get_side": (0,),
+    "set_inflow_depth": (0, 1), "get_inflow_depth": (0,),
     "enable_field": (2,), "disable_field": (2,), "view": (0,), "cut": (0, 0), "weld": (0, 0), "step": (0.01,),
     "get_courant": (0.1,), "add_volume": (0, 0, 1, 1), "add_volume_rectangle": (0, 0, 1, 1, 1),
     "add_source": (0, 0, 1, 1), "add_source_rectangle": (0, 0, 1, 1, 1), "splash": (0, 0, 1, 1), "load": (b"",),

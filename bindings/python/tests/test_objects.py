@@ -546,6 +546,8 @@ class Waters(unittest.TestCase):
         self.water.step(0.5)
         self.assertEqual(self.water.get_side(Side.X_FIRST), (Border.OPEN, 0.5625, 0.125))
         self.assertIs(self.water.get_side(Side.Y_FIRST).kind, Border.PERIODIC)
+        self.water.set_inflow_depth(Side.X_LAST, 0.25)
+        self.assertEqual(self.water.get_inflow_depth(Side.X_LAST), 0.25)
 
     def test_splash_and_impulse(self):
         before = self.water.hash()

@@ -1520,7 +1520,8 @@ impl Chain {
     }
 
     /// Adds impulse \[N s\], one number per component, to a node: its velocity changes by impulse / mass, in a welded
-    /// group by impulse / the group's mass; a held node takes none. Errors: CD_ERROR_RANGE, CD_ERROR_VALUE.
+    /// group by impulse / the group's mass; a held node takes none. Errors: CD_ERROR_RANGE, CD_ERROR_VALUE,
+    /// CD_ERROR_DIVERGED.
     pub fn impulse(&mut self, strand: usize, node: usize, impulse: &[f64]) -> Result<()> {
         let count = count_of(impulse.len(), 1, "cd_chain_impulse", "impulse")?;
         check(unsafe { sys::cd_chain_impulse(self.as_ptr(), strand, node, impulse.as_ptr(), count) })
@@ -2804,11 +2805,11 @@ impl Membrane {
         Ok(View::new(data.cast(), strides, self.whole(field)?, self.get_shape()?.precision))
     }
 
-    /// Adds impulse \[N s\], one number per component, spread over the nodes that are less than `radius` springs away
-    /// from the place (u, v), counted on the lattice and not round a ring, by the weights (1 - (distance /
-    /// radius)^2)^2, which are scaled to sum to 1; all on the nearest node if there is none. A node's velocity changes
-    /// by its share / its mass; held and absent nodes lose it. u in \[0, nu\], v in \[0, nv\], radius \>= 0. Errors:
-    /// CD_ERROR_RANGE, CD_ERROR_VALUE.
+    /// Adds impulse \[N s\], one number per component, spread over the nodes less than `radius` springs away from the
+    /// place (u, v), counted on the lattice and not round a ring, by weights (1 - (distance / radius)^2)^2, scaled to
+    /// sum to 1; all on the nearest node if there is none. A node's velocity changes by its share / its mass; held and
+    /// absent nodes lose it. u in \[0, nu\], v in \[0, nv\], radius \>= 0. Errors: CD_ERROR_RANGE, CD_ERROR_VALUE,
+    /// CD_ERROR_DIVERGED.
     pub fn impulse(&mut self, u: f64, v: f64, radius: f64, impulse: &[f64]) -> Result<()> {
         let count = count_of(impulse.len(), 1, "cd_membrane_impulse", "impulse")?;
         check(unsafe { sys::cd_membrane_impulse(self.as_ptr(), u, v, radius, impulse.as_ptr(), count) })
@@ -3464,8 +3465,7 @@ impl Water {
         check(unsafe { sys::cd_water_set_side(self.as_ptr(), side as i32, kind as i32, value, rate) })
     }
 
-    /// The kind, and value and rate as of now; 0 where they mean nothing. Each output may be null. Errors:
-    /// CD_ERROR_ENUM.
+    /// Value and rate as of now; 0 where they mean nothing. Each output may be null. Errors: CD_ERROR_ENUM.
     pub fn get_side(&self, side: Side) -> Result<WaterSide> {
         let mut out_kind = 0;
         let mut out_value = 0.0;
@@ -3477,6 +3477,24 @@ impl Water {
             value: out_value,
             rate: out_rate,
         })
+    }
+
+    /// Depth of an inflow \[m\], 0 or in \[1e-6, 1e30\]; default 0: that of the cell at the side. Else advected water
+    /// comes in at the speed of its discharge in that depth, as under a gate so far open: faster than its waves, it has
+    /// that depth in the first cell; if slower, or if it drowns the gate, that of what comes after. Other sides,
+    /// outflow and linear momentum do not use it; cd_water_set_side keeps it. Errors: CD_ERROR_ENUM; CD_ERROR_VALUE.
+    pub fn set_inflow_depth(&mut self, side: Side, depth: f64) -> Result<()> {
+        check(unsafe { sys::cd_water_set_inflow_depth(self.as_ptr(), side as i32, depth) })
+    }
+
+    /// Depth of an inflow \[m\], 0 or in \[1e-6, 1e30\]; default 0: that of the cell at the side. Else advected water
+    /// comes in at the speed of its discharge in that depth, as under a gate so far open: faster than its waves, it has
+    /// that depth in the first cell; if slower, or if it drowns the gate, that of what comes after. Other sides,
+    /// outflow and linear momentum do not use it; cd_water_set_side keeps it. Errors: CD_ERROR_ENUM; CD_ERROR_VALUE.
+    pub fn get_inflow_depth(&self, side: Side) -> Result<f64> {
+        let mut out_depth = 0.0;
+        check(unsafe { sys::cd_water_get_inflow_depth(self.as_ptr(), side as i32, &mut out_depth) })?;
+        Ok(out_depth)
     }
 
     /// What a write to CD_BED leaves as it is; default CD_BED_LIFTS_WATER. Errors: CD_ERROR_ENUM.
@@ -3497,8 +3515,7 @@ impl Water {
         check(unsafe { sys::cd_water_enable_field(self.as_ptr(), field as i32) })
     }
 
-    /// Switches a field off and releases its memory. Errors: CD_ERROR_ENUM; CD_ERROR_UNSUPPORTED for a field that is
-    /// always there.
+    /// Switches a field off and releases its memory. Errors: CD_ERROR_ENUM; CD_ERROR_UNSUPPORTED if it is always there.
     pub fn disable_field(&mut self, field: Field) -> Result<()> {
         check(unsafe { sys::cd_water_disable_field(self.as_ptr(), field as i32) })
     }
@@ -3560,7 +3577,8 @@ impl Water {
     }
 
     /// Adds volume \[m^3\] over a disc, or takes it if negative, as far as there is water in each cell's share.
-    /// out_added, which may be null, tells what it came to. The account counts it. Errors: CD_ERROR_VALUE.
+    /// out_added, which may be null, tells what it came to. The account counts it. Errors: CD_ERROR_VALUE,
+    /// CD_ERROR_DIVERGED.
     pub fn add_volume(&mut self, x: f64, y: f64, radius: f64, volume: f64) -> Result<f64> {
         let mut out_added = 0.0;
         check(unsafe { sys::cd_water_add_volume(self.as_ptr(), x, y, radius, volume, &mut out_added) })?;
@@ -3568,7 +3586,7 @@ impl Water {
     }
 
     /// Adds volume \[m^3\] evenly over the cells there of a rectangle, or takes it; out_added as above. Errors:
-    /// CD_ERROR_RANGE; CD_ERROR_VALUE.
+    /// CD_ERROR_RANGE; CD_ERROR_VALUE, CD_ERROR_DIVERGED.
     pub fn add_volume_rectangle(&mut self, first_x: usize, first_y: usize, n_x: usize, n_y: usize,
         volume: f64) -> Result<f64> {
         let mut out_added = 0.0;
@@ -3590,14 +3608,15 @@ impl Water {
     }
 
     /// A splash: water of the disc, down to `height` \[m\] \>= 0 at its centre and as far as there is water, is heaped
-    /// up on the wet cells around it, out to twice the radius; volume is kept. Nothing happens where no wet cell is
-    /// there to take it. Errors: CD_ERROR_VALUE.
+    /// up on the wet cells around it, out to twice the radius, if there are any; volume is kept. Errors:
+    /// CD_ERROR_VALUE, _DIVERGED.
     pub fn splash(&mut self, x: f64, y: f64, radius: f64, height: f64) -> Result<()> {
         check(unsafe { sys::cd_water_splash(self.as_ptr(), x, y, radius, height) })
     }
 
     /// Adds an impulse (x, y) \[N s\] over a disc: a face's velocity changes by its share of it / the mass of water at
-    /// it, shares being in proportion to that mass too; on dry faces nothing happens. Errors: CD_ERROR_VALUE.
+    /// it, shares in proportion to that mass too; on dry faces nothing happens. Errors: CD_ERROR_VALUE,
+    /// CD_ERROR_DIVERGED.
     pub fn impulse(&mut self, x: f64, y: f64, radius: f64, impulse_x: f64, impulse_y: f64) -> Result<()> {
         check(unsafe { sys::cd_water_impulse(self.as_ptr(), x, y, radius, impulse_x, impulse_y) })
     }
@@ -3758,8 +3777,8 @@ impl Water {
         })
     }
 
-    /// What water and bed did to a hull in the last step: 6 numbers, forces along x and y and up \[N\], moments of yaw,
-    /// pitch and roll \[N m\].
+    /// What a hull felt from water and bed in the last step: 6 numbers, forces x, y, up \[N\], moments yaw, pitch, roll
+    /// \[N m\].
     pub fn get_hull_load(&self, index: usize, out_load: &mut [f64]) -> Result<()> {
         let count = count_of(out_load.len(), 1, "cd_water_get_hull_load", "out_load")?;
         check(unsafe { sys::cd_water_get_hull_load(self.as_ptr(), index, out_load.as_mut_ptr(), count) })
@@ -3827,8 +3846,8 @@ impl Water {
     }
 
     /// What the last call of cd_water_step had to hold back so that no cell gave more than it had and got: in how many
-    /// cells, counted once per sweep and part, and how much water \[m^3\] went or came less through faces. Each output
-    /// may be null.
+    /// cells, counted once per sweep and part, and how much less water \[m^3\] went through faces. Each output may be
+    /// null.
     pub fn get_limited(&self) -> Result<WaterLimited> {
         let mut out_cells = 0;
         let mut out_volume = 0.0;

@@ -482,6 +482,8 @@ extern "C" {
     pub fn cd_water_set_side(water: *mut cd_water, side: cd_side, kind: cd_border, value: f64, rate: f64) -> cd_status;
     pub fn cd_water_get_side(water: *const cd_water, side: cd_side, out_kind: *mut cd_border, out_value: *mut f64,
         out_rate: *mut f64) -> cd_status;
+    pub fn cd_water_set_inflow_depth(water: *mut cd_water, side: cd_side, depth: f64) -> cd_status;
+    pub fn cd_water_get_inflow_depth(water: *const cd_water, side: cd_side, out_depth: *mut f64) -> cd_status;
     pub fn cd_water_set_bed_rule(water: *mut cd_water, rule: cd_bed_rule) -> cd_status;
     pub fn cd_water_get_bed_rule(water: *const cd_water, out_rule: *mut cd_bed_rule) -> cd_status;
     pub fn cd_water_enable_field(water: *mut cd_water, field: cd_field) -> cd_status;

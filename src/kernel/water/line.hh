@@ -105,6 +105,7 @@ struct WaterLine {
 
     // surface.hh
     Face inner_face(size_t i, L stream);
+    L inflow_depth(const WaterEnd& end, L cell) const;
     Face end_face(int e); // at the beginning or the end
     void solve_surface();
     void close_ring();

@@ -79,13 +79,23 @@ CD_INLINED inline Face WaterLine::inner_face(size_t i, L stream) {
     return {let(courant * through), let(of_left + s_left), let(s_right - of_right)};
 }
 
+// The depth in which the discharge at an end comes in beside a cell of that depth.
+__attribute__((noinline)) inline L WaterLine::inflow_depth(const WaterEnd& end, L cell) const {
+    if (end.depth > 0) return L::splat(end.depth);
+    return larger(cell, L::splat(critical_depth(end.discharge, sweep.gravity)));
+}
+
 // A face at a side of the scene.
 __attribute__((noinline)) inline Face WaterLine::end_face(int e) {
     const L none{};
     const WaterEnd& end = sweep.end[e];
     if (end.kind == End::kWall) return {none, none, none};
     const size_t face = e ? n : 0, inside = e ? n - 1 : 0, next = e ? n - 1 : 1; // next: face
-    const double outward = e ? 1 : -1, critical = critical_depth(end.discharge, sweep.gravity);
+    const double outward = e ? 1 : -1;
+    if (end.kind == End::kInflow) {
+        side_depth[e] = inflow_depth(end, depth[inside]);
+        return {open(face) * (courant * L::splat(-outward * end.discharge)), none, none};
+    }
     const SideWaves waves{sweep.gravity, sweep.advected()};
     double d[kLines], b[kLines], u[kLines], q[kLines], crossed[kLines], run[kLines];
     double discharge[kLines], slope[kLines], half_cell[kLines];
@@ -95,10 +105,9 @@ __attribute__((noinline)) inline Face WaterLine::end_face(int e) {
     for (int k = 0; k < kLines; ++k) {
         const SideCell cell{d[k], u[k], q[k], crossed[k]};
         const double outside = end.level > b[k] ? end.level - b[k] : 0;
-        const SideFlow flow = end.kind == End::kInflow ? SideFlow{-end.discharge, 0, d[k] > critical ? d[k] : critical}
-                              : end.kind == End::kOpen ? waves.open(cell, outside)
-                                                       : waves.level(cell, outside, end.rise / sweep.courant,
-                                                                     waves.follows(outside, run[k], sweep.theta));
+        const SideFlow flow = end.kind == End::kOpen ? waves.open(cell, outside)
+                                                     : waves.level(cell, outside, end.rise / sweep.courant,
+                                                                   waves.follows(outside, run[k], sweep.theta));
         discharge[k] = outward * flow.discharge, slope[k] = flow.slope, d[k] = flow.depth;
         half_cell[k] = n > 1 ? flow.half_cell : 0; // a single cell has one half on each side
     }

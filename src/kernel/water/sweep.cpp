@@ -45,8 +45,7 @@ L coming_in(const WaterLine& line) {
     for (int e = 0; e < 2; ++e) {
         const WaterEnd& end = line.sweep.end[e];
         if (end.kind != End::kInflow) continue;
-        const L critical = L::splat(critical_depth(end.discharge, line.sweep.gravity));
-        const L deep = larger(line.depth[e ? line.n - 1 : 0], critical);
+        const L deep = line.inflow_depth(end, line.depth[e ? line.n - 1 : 0]);
         most = larger(select(deep, size_of(L::splat(end.discharge)) / deep, L{}), most);
     }
     return most;

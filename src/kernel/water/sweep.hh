@@ -26,6 +26,7 @@ struct WaterEnd {
     double level;     // [m] of the water outside, of kOpen and kLevel
     double rise;      // [m] of that level in the step
     double discharge; // [m^2/s] that comes in, of kInflow
+    double depth;     // [m] it comes in as fast as in that depth; 0: in that of the cell, but not below critical depth
 };
 
 struct WaterSweep {

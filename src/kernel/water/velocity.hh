@@ -175,12 +175,16 @@ inline void WaterLine::keep_energy() {
 }
 
 // What crosses a side runs as fast as its discharge in its depth, but no faster than it came or than its waves: more
-// may cross a film than there is of it.
+// may cross a film than there is of it. What comes in in a given depth has its speed from that.
 inline void WaterLine::end_velocities() {
     for (int e = 0; e < 2; ++e) {
         const size_t face = e ? n : 0, inside = e ? n - 1 : 0;
-        const L d = larger(side_depth[e], 0.5 * (depth[inside] + after[inside]));
-        const L most = larger(size_of(velocity[e ? n - 1 : 1]), root(sweep.gravity * d));
+        const bool is_given = sweep.end[e].depth > 0;
+        L d = side_depth[e], most = L::splat(__builtin_inf());
+        if (!is_given) {
+            d = larger(d, 0.5 * (depth[inside] + after[inside]));
+            most = larger(size_of(velocity[e ? n - 1 : 1]), root(sweep.gravity * d));
+        }
         const L run = courant * d; // 0 also of depths that have no digits left
         const L u = select(run, flux[face] / run, L{});
         speed.put(face, sweep.end[e].kind == End::kWall ? L{} : larger(-most, smaller(most, u)));

@@ -1367,6 +1367,10 @@ public:
         return detail::got(got, out);
     }
 
+    // Depth of an inflow [m], in which advected water comes in; 0: that of the cell at the side.
+    outcome<> set_inflow_depth(side s, double depth) { return call(cd_water_set_inflow_depth, s, depth); }
+    outcome<double> get_inflow_depth(side s) const { return value<double>(cd_water_get_inflow_depth, s); }
+
     // What a write of the bed leaves as it is.
     outcome<> set_bed_rule(bed_rule rule) { return call(cd_water_set_bed_rule, rule); }
     outcome<bed_rule> get_bed_rule() const { return value<bed_rule>(cd_water_get_bed_rule); }

@@ -1188,7 +1188,7 @@ pub fn make_water() -> Water {
     Water::new(5, 4, 1.0, 2.0, Precision::Float64).unwrap()
 }
 
-pub const WATER: [Call<Water>; 82] = [
+pub const WATER: [Call<Water>; 84] = [
     Call {
         name: "cd_water_get_shape",
         may_fail: false,
@@ -1319,6 +1319,18 @@ pub const WATER: [Call<Water>; 82] = [
         name: "cd_water_get_side",
         may_fail: false,
         call: |o, _other, _saved| o.get_side(Side::XFirst).map(drop),
+        told: |_| true,
+    },
+    Call {
+        name: "cd_water_set_inflow_depth",
+        may_fail: false,
+        call: |o, _other, _saved| o.set_inflow_depth(Side::XFirst, 1.0).map(drop),
+        told: |o| o.get_inflow_depth(Side::XFirst).unwrap() == 1.0,
+    },
+    Call {
+        name: "cd_water_get_inflow_depth",
+        may_fail: false,
+        call: |o, _other, _saved| o.get_inflow_depth(Side::XFirst).map(drop),
         told: |_| true,
     },
     Call {

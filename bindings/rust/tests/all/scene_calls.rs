@@ -134,6 +134,7 @@ pub fn call_water(o: &mut Water, name: &str, w: &Words) -> std::result::Result<(
         "set_manning" => o.set_manning(w.number(0)).map(drop),
         "set_side" => o.set_side(w.enumerator(0, Side::from_raw)?, w.enumerator(1, Border::from_raw)?, w.number(2),
             w.number(3)).map(drop),
+        "set_inflow_depth" => o.set_inflow_depth(w.enumerator(0, Side::from_raw)?, w.number(1)).map(drop),
         "set_bed_rule" => o.set_bed_rule(w.enumerator(0, BedRule::from_raw)?).map(drop),
         "enable_field" => o.enable_field(w.enumerator(0, Field::from_raw)?).map(drop),
         "disable_field" => o.disable_field(w.enumerator(0, Field::from_raw)?).map(drop),
