@@ -278,11 +278,10 @@ static void a_jerked_sheet_parts_without_falling_to_pieces(void** state) {
 static void a_notched_sheet_tears_across_from_its_notch(void** state) {
     (void)state;
     for (int along_v = 0; along_v < 2; ++along_v) {
-        cd_membrane* m = drawn(along_v, 2000, 1000, 0.3);
-        ok(cd_membrane_set_drag(m, 2)); /* or its halves tear on as they whip back */
+        cd_membrane* m = drawn(along_v, 2000, 1000, 0.1);
         for (size_t line = 0; line < 4; ++line) set_along(m, along_v, CD_STIFFNESS_U, line, 15, 0);
         size_t second, torn = 0, tip = 4;
-        for (int step = 0; step < 100; ++step) {
+        for (int step = 0; step < 300; ++step) {
             const size_t now = torn_in(m, 1.0 / 60, 1);
             torn += now;
             if (tip >= 8 || now == 0) continue; /* at first spring by spring, the one at the tip */
@@ -291,7 +290,7 @@ static void a_notched_sheet_tears_across_from_its_notch(void** state) {
                 sheet_get(m, along_v ? CD_STIFFNESS_V : CD_STIFFNESS_U, along_v ? tip : 15, along_v ? 15 : tip) == 0);
             ++tip;
         }
-        assert_in_range(torn, LEAST - 4, 2 * LEAST);
+        assert_int_equal(torn, LEAST - 4);
         assert_int_equal(pieces_of(m, &second), 2);
         assert_true(second > 13 * LEAST);
         cd_membrane_destroy(m);
