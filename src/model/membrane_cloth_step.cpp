@@ -260,11 +260,10 @@ struct ClothStep {
     // How much of the direction to go. Where the slope at its end has nearly gone, one secant tells: among slopes that are
     // rounding more of them find none that falls, and the step stays where it is.
     double search(double falls) const {
-        const double end = slope(w.w, 1, w.direction);
+        const auto rise = [&](double share) { return slope(w.w, share, w.direction); };
+        const double end = rise(1);
         if (end <= 0) return 1;
-        return end <= -kFlat * falls
-                   ? falls / (falls - end)
-                   : share_of([&](double share) { return slope(w.w, share, w.direction); }, 0, falls, 1, end);
+        return end <= -kFlat * falls ? falls / (falls - end) : share_of(rise, 0, falls, 1, end);
     }
 
     void newton() {
@@ -345,17 +344,12 @@ struct ClothStep {
     }
 
     // A part of the sheet that nothing holds keeps its momentum, however little of its step was found, also in air, and along
-    // what it touches. Should it touch something after all, or air be so thick that rounding counts, the last scaling sees to
-    // it. Any other goes along with what holds or pushes it, as if that stood still.
+    // what it touches. Should air be so thick that rounding counts, or what it touches push it otherwise, the last scaling
+    // sees to it. Any other goes along with what holds or pushes it, as if that stood still.
     void bound() const {
         const bool free = share_momentum(w, contacts, dt);
         scale(true);
-        if (!free || !w.has_blocks()) return;
-        if (CD_WITH_CONTACT && touches(w, contacts, dt)) {
-            share_momentum(w, contacts, dt);
-            scale(true);
-        }
-        scale(false);
+        if (free && w.has_blocks()) scale(false);
     }
 
     // Positions, velocities, what a node would do by itself, and what resists it.

@@ -209,6 +209,27 @@ static void a_tablecloth_hangs_in_folds(void** state) {
     cd_membrane_destroy(m);
 }
 
+/* A flag in the wind waves without folding from node to node. */
+static void a_flag_flies_without_needles(void** state) {
+    (void)state;
+    const double wind[3] = {6, 0, 1};
+    cd_membrane* m = sheet(SPRINGS);
+    double most = 0, least = 1;
+    ok(cd_membrane_set_edge(m, CD_EDGE_U_FIRST, CD_NODE_PINNED));
+    ok(cd_membrane_set_air(m, 0.1, 7));
+    ok(cd_membrane_set_wind(m, wind, 3));
+    for (int frame = 1; frame <= 240; ++frame) {
+        double folded, length;
+        ok(cd_membrane_step(m, dt, 1));
+        folds_of(m, &folded, &length);
+        if (frame > 60) most = fmax(most, folded), least = fmin(least, length);
+    }
+    print_message("flag: folded %.3f%% at most, springs %.3f of their length at least\n", 100 * most, least);
+    assert_true(most < 1e-3);
+    assert_true(least > 0.95);
+    cd_membrane_destroy(m);
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(a_sheet_falls_and_keeps_its_size),
@@ -216,6 +237,7 @@ int main(void) {
         cmocka_unit_test(a_fine_sheet_falls_and_keeps_its_size),
         cmocka_unit_test(a_free_fall_is_what_the_last_step_was),
         cmocka_unit_test(a_tablecloth_hangs_in_folds),
+        cmocka_unit_test(a_flag_flies_without_needles),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
