@@ -44,12 +44,6 @@ struct ClothResidual {
     const double *rhs[3], *w[3];
 };
 
-// A step of dt from the places `from`: velocities before it, expected ones, and those that move the nodes.
-struct ClothGains {
-    double dt, lambda, cost; // cost: of a change of the velocities, per mass and square
-    const double *from[3], *before[3], *expected[3], *after[3], *mass, *moves;
-};
-
 // Numbers of scratch that a part of the rows needs, in rows of a plane.
 constexpr size_t kClothRows = 9;
 
@@ -65,10 +59,10 @@ void cloth_smooth(const Grid& grid, const ClothSprings& springs, const double* c
 // out += h the push of the springs against crumpling at y, as far as it does not depend on where a step of dt leads.
 void cloth_unfold(const Grid& grid, const ClothSprings& springs, double h, double dt, const double* const* y,
                   const double* const* expected, double* const* out, double* scratch, size_t first, size_t count);
-// Of each row, lambda times the energy that springs against crumpling gain in a step beyond what their impulses take,
-// less the cost of the change of velocities.
-void cloth_gains(const Grid& grid, const ClothSprings& springs, const ClothGains& with, double* sums, size_t first,
-                 size_t count);
+// Of each row, the energy that springs against crumpling gain in a step of dt from y by the velocities w, beyond what
+// their impulses take, where those expected others.
+void cloth_gains(const Grid& grid, const ClothSprings& springs, double dt, const double* const* y,
+                 const double* const* expected, const double* const* w, double* sums, size_t first, size_t count);
 // q = moves (ground + springs) p
 void cloth_apply(const Grid& grid, const ClothMatrix& matrix, const double* const* p, double* const* q, double* scratch,
                  size_t first, size_t count);

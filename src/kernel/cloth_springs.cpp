@@ -83,8 +83,8 @@ template <int N> struct Onward {
 };
 
 // What keeps springs from crumpling pushes them towards their length: compression (D - L n), D their way as a step finds
-// it and n the direction that they go on to, and as D changes otherwise than they go on, which is Pull's. As
-// compression D and compression L n, which cancel, it would be lost in rounding.
+// it and n the direction that they are expected to go on to, and as D changes otherwise, which is Pull's. As compression D
+// and compression L n, which cancel, it would be lost in rounding.
 struct Unfold {
     const ClothSprings& springs;
     double h, dt;
@@ -100,30 +100,29 @@ struct Unfold {
     }
 };
 
-// What a node and the springs along u and v that start there gain. A spring whose way goes from D0 to D1 gains
+// What the springs along u and v that start at a node gain. A spring whose way goes from D0 to D1 gains
 // 1/2 c (l1 - L)^2 - 1/2 c (l0 - L)^2 and takes (D1 - D0) . c (D1 - L n).
 struct Gain {
     const ClothSprings& springs;
-    const ClothGains& with;
+    double dt;
+    const double *const *y, *const *expected, *const *w;
     size_t here, below;
 
     template <int N> Lanes<N> operator()(size_t u) const {
         using L = Lanes<N>;
         const size_t at = here + u;
-        const auto of = [](const double* const* planes, size_t place) { return Vector<N>::load(planes, place); };
-        const Vector<N> start = of(with.from, at), after = of(with.after, at), change = after - of(with.before, at);
-        L sum = (-with.cost * (L::load(with.mass + at) * L::load(with.moves + at))) * dot(change, change);
+        L sum{};
         for (int number : {kAlongU, kAlongV}) {
             const size_t next = number == kAlongU ? at + 1 : below + u;
-            const Vector<N> way = of(with.from, next) - start,
-                            goes = L::splat(with.dt) * (of(with.after, next) - after);
-            const Vector<N> to = way + goes;
-            const L length = L::load(springs.length[number] + at);
-            const Onward<N> onward(with.expected, with.dt, at, next, way, length);
+            const auto way_of = [&](const double* const* planes) {
+                return Vector<N>::load(planes, next) - Vector<N>::load(planes, at);
+            };
+            const Vector<N> way = way_of(y), goes = L::splat(dt) * way_of(w), to = way + goes;
+            const L length = L::load(springs.length[number] + at), c = L::load(springs.compression[number] + at);
+            const Onward<N> onward(expected, dt, at, next, way, length);
             const L sides = root(dot(way, way)) + root(dot(to, to));
             const L longer = select(sides, dot(way + to, goes) / sides, L{});
-            const L gain = length * (dot(onward.to, goes) / onward.now - longer) - 0.5 * dot(goes, goes);
-            sum = sum + with.lambda * (L::load(springs.compression[number] + at) * gain);
+            sum = sum + c * (length * (dot(onward.to, goes) / onward.now - longer) - 0.5 * dot(goes, goes));
         }
         return sum;
     }
@@ -213,10 +212,11 @@ void cloth_smooth(const Grid& grid, const ClothSprings& springs, const double* c
         }
 }
 
-void cloth_gains(const Grid& grid, const ClothSprings& springs, const ClothGains& with, double* sums, size_t first,
-                 size_t count) {
+void cloth_gains(const Grid& grid, const ClothSprings& springs, double dt, const double* const* y,
+                 const double* const* expected, const double* const* w, double* sums, size_t first, size_t count) {
     for (size_t row = first; row < first + count; ++row)
-        sums[row] = row_sum(grid.columns, Gain{springs, with, row * grid.pitch, grid.below(row) * grid.pitch});
+        sums[row] =
+            row_sum(grid.columns, Gain{springs, dt, y, expected, w, row * grid.pitch, grid.below(row) * grid.pitch});
 }
 
 void cloth_apply(const Grid& grid, const ClothMatrix& matrix, const double* const* p, double* const* q, double* scratch,

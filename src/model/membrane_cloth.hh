@@ -23,9 +23,6 @@ struct ClothContact {
 
 constexpr size_t kBefore = 8; // numbers of room before each row of a plane
 
-// What holds a part of the sheet.
-constexpr double kTouching = 1, kHeld = 2;
-
 struct ClothWork {
     Grid grid, turned;
     Parts parts, strips; // of rows, and of columns
@@ -43,7 +40,7 @@ struct ClothWork {
     double *conjugate[3], *image[3]; // a conjugate direction and the matrix times it
     double *answer[3], *turned_z[3]; // of lines along v and along u
     double* recycled[2][3];          // what the last step changed, and Newton's last direction
-    double* bound;                   // at a part's first node: 0, or what holds it
+    double* bound;                   // at a part's first node: 1 if it is held or has touched a collider
     double *inertia, *own[6];        // ground without contacts: all three the same, or with air symmetric blocks
     double* ground[6];               // with contacts
     double *curvature[kClothSprings][4], *turned_curvature[4], *block[6], *turned_block[6];
@@ -66,11 +63,10 @@ struct ClothWork {
 // Makes the coefficients for steps of dt whose impulses are those of h.
 void prepare(const Membrane& m, ClothWork& w, double h, double dt);
 
-// Shifts w so that every part of the sheet that nothing holds has the momentum that it should, along colliders only where
-// it touches some: springs cancel in its balance. Puts the velocity that such a part has as a whole into `error`, at its
-// first node, and into `answer`, along each axis, the least that all that holds or pushes a part moves by. False if all
-// are held.
-bool share_momentum(const ClothWork& w, size_t contacts, double dt);
+// Shifts w so that every part of the sheet that is free has the momentum that it should, and puts the velocity that such
+// a part has as a whole into `error`, at the part's first node: springs cancel in its balance. Of any other part that is,
+// along each axis, the least that all that holds or pushes it moves by. False if none is free.
+bool share_momentum(const ClothWork& w, size_t contacts);
 
 // Cuts springs that are beyond their breaking strain (membrane_cloth_tear.cpp); tells how many.
 size_t tear_springs(Membrane& m, ClothWork& w);
@@ -95,8 +91,6 @@ void take_pushes(const ClothWork& w, size_t contacts, double dt, double* const* 
 bool touches(const ClothWork& w, size_t contacts, double dt);
 // Widens the ranges of velocities at the first nodes of bound parts by those of the colliders that these have met.
 void widen_by_contacts(const ClothWork& w, size_t contacts, double* const* least, double* const* most);
-// Adds the contacts of each part that has met colliders to its matrix, rigid, at its first node.
-void hold_normals(const ClothWork& w, size_t contacts, double* const* matrix);
 // residual += the contacts' impulses at `velocity`; ground, if not null, gets their stiffness.
 void add_contacts(const ClothWork& w, size_t contacts, double dt, double* const* velocity, double* const* residual,
                   double* const* ground);

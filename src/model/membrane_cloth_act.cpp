@@ -81,8 +81,6 @@ namespace {
 // How stiff a contact is, over the mass of its node; the speed e of v / (v + e) in friction [m/s]; and how much friction
 // may resist, over the contact's stiffness: of any more, rounding would hold the node along the normal too.
 constexpr double kContactStiffness = 1e4, kStickSpeed = 1e-3, kMostFriction = 1e6;
-// How many times stiffer contacts are where a part moves as a whole: it goes along them only.
-constexpr double kRigid = 1e6;
 // What the product of two normals counts for, so that contacts that are as good as one have an answer.
 constexpr double kParallel = 1 - 1e-8;
 
@@ -240,11 +238,9 @@ void take_pushes(const ClothWork& w, size_t contacts, double dt, double* const* 
 bool touches(const ClothWork& w, size_t contacts, double dt) {
     bool any = false;
     for (size_t i = 0; i < contacts; ++i) {
-        ClothContact& c = w.contacts[i];
-        double& bound = w.bound[w.part[size_t(c.at)]];
-        if (!(push_of(c, vector_at(w.w, size_t(c.at)), 1 / dt) > 0)) continue;
-        c.met = 1, any = true;
-        bound = fmax(bound, kTouching);
+        const size_t at = size_t(w.contacts[i].at);
+        if (push_of(w.contacts[i], vector_at(w.w, at), 1 / dt) > 0)
+            w.contacts[i].met = w.bound[w.part[at]] = 1, any = true;
     }
     return any;
 }
@@ -260,13 +256,6 @@ void widen_by_contacts(const ClothWork& w, size_t contacts, double* const* least
             least[k][part] = fmin(least[k][part], pushed);
             most[k][part] = fmax(most[k][part], pushed);
         }
-    }
-}
-
-void hold_normals(const ClothWork& w, size_t contacts, double* const* matrix) {
-    for (size_t i = 0; i < contacts; ++i) {
-        const ClothContact& c = w.contacts[i];
-        if (c.met > 0) add_square(matrix, w.part[size_t(c.at)], kRigid * c.stiffness, normal_of(c));
     }
 }
 

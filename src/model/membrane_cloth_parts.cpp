@@ -5,70 +5,56 @@
 
 namespace cd {
 
-namespace {
-
-// Of a symmetric matrix in the order of ClothMatrix::ground.
-void multiply(const double* a, const double* x, double* out) {
-    out[0] = a[0] * x[0] + a[3] * x[1] + a[4] * x[2];
-    out[1] = a[3] * x[0] + a[1] * x[1] + a[5] * x[2];
-    out[2] = a[4] * x[0] + a[5] * x[1] + a[2] * x[2];
-}
-
-} // namespace
-
-bool share_momentum(const ClothWork& w, size_t contacts, double dt) {
-    double *const *const whole = w.error, *const *const shift = w.image, *const *const least = w.answer;
-    double *const *const most = w.to, *const matrix[6] = {w.conjugate[0], w.conjugate[1], w.conjugate[2],
-                                                          w.trial[0],     w.trial[1],     w.trial[2]};
-    for (int k = 0; k < 3; ++k)
-        w.each_place([&](size_t at) {
-            matrix[k][at] = matrix[k + 3][at] = whole[k][at] = shift[k][at] = w.residual[k][at] = 0;
-            least[k][at] = HUGE_VAL, most[k][at] = -HUGE_VAL;
-        });
-    for (int k = 0; k < 3; ++k)
-        w.each_place([&](size_t at) {
-            if (w.moves[at] > 0) return;
-            double &lower = least[k][w.part[at]], &upper = most[k][w.part[at]];
-            lower = fmin(lower, w.w[k][at]), upper = fmax(upper, w.w[k][at]);
-        });
-    if (CD_WITH_CONTACT) {
-        widen_by_contacts(w, contacts, least, most);
-        add_contacts(w, contacts, dt, w.w, w.residual, nullptr);
-        hold_normals(w, contacts, matrix);
-    }
-    const int blocks = w.has_blocks() ? 6 : 3;
-    bool any = false;
+bool share_momentum(const ClothWork& w, size_t contacts) {
+    double *const *const force = w.error, *const *const missing = w.image;
+    double* const matrix[6] = {w.conjugate[0], w.conjugate[1], w.conjugate[2], w.answer[0], w.answer[1], w.answer[2]};
     w.each_place([&](size_t at) {
-        const size_t part = w.part[at];
-        for (int k = 0; k < 3 && part == at; ++k)
-            least[k][at] = least[k][at] > most[k][at] ? 0 : fmax(least[k][at], 0) + fmin(most[k][at], 0);
-        if (w.bound[part] == kHeld) return;
-        any = true;
-        double own[6] = {}, touched[6] = {}, kept[3], went[3], rubbed[3], now[3], beside[3], base[3];
-        for (int k = 0; k < blocks; ++k) {
-            own[k] = w.own[k][at], touched[k] = w.ground[k][at] - own[k];
-            matrix[k][part] += w.ground[k][at];
-        }
-        for (int k = 0; k < 3; ++k) now[k] = w.w[k][at], base[k] = least[k][part], beside[k] = now[k] - base[k];
-        multiply(own, now, kept), multiply(own, base, went), multiply(touched, beside, rubbed);
-        for (int k = 0; k < 3; ++k) {
-            const double given = w.rhs[k][at] + w.residual[k][at];
-            shift[k][part] += given - kept[k], whole[k][part] += (given - went[k]) + rubbed[k];
+        for (int k = 0; k < 3 && w.part[at] == at; ++k) {
+            matrix[k][at] = matrix[k + 3][at] = 0;
+            missing[k][at] = w.bound[at] > 0 ? HUGE_VAL : 0;
+            force[k][at] = -missing[k][at];
         }
     });
+    const int blocks = w.has_blocks() ? 6 : 3;
     w.each_place([&](size_t at) {
-        double sum[6], of_all[3] = {}, more[3] = {};
+        const size_t part = w.part[at];
+        if (w.bound[part] > 0) {
+            for (int k = 0; k < 3 && !(w.moves[at] > 0); ++k) {
+                missing[k][part] = fmin(missing[k][part], w.w[k][at]);
+                force[k][part] = fmax(force[k][part], w.w[k][at]);
+            }
+            return;
+        }
+        double own[6] = {}, kept[3];
+        for (int k = 0; k < blocks; ++k) own[k] = w.own[k][at], matrix[k][part] += own[k];
+        const double x = w.w[0][at], y = w.w[1][at], z = w.w[2][at];
+        kept[0] = own[0] * x + own[3] * y + own[4] * z;
+        kept[1] = own[3] * x + own[1] * y + own[5] * z;
+        kept[2] = own[4] * x + own[5] * y + own[2] * z;
+        for (int k = 0; k < 3; ++k) force[k][part] += w.rhs[k][at], missing[k][part] += w.rhs[k][at] - kept[k];
+    });
+    if (CD_WITH_CONTACT) widen_by_contacts(w, contacts, missing, force);
+    bool any = false;
+    w.each_place([&](size_t at) {
+        if (w.part[at] != at) return;
+        for (int k = 0; k < 3 && w.bound[at] > 0; ++k) {
+            const double least = missing[k][at], most = force[k][at];
+            force[k][at] = least > most ? 0 : fmax(least, 0) + fmin(most, 0);
+            missing[k][at] = 0;
+        }
+        if (w.bound[at] > 0) return;
+        double sum[6], mean[3] = {}, shift[3] = {};
         const auto solve = [&](double* const* right, double* x) {
             const double of[3] = {right[0][at], right[1][at], right[2][at]};
             return solve_block(sum, of, x);
         };
         for (int k = 0; k < 6; ++k) sum[k] = matrix[k][at];
-        if (w.part[at] != at) return;
-        if (w.bound[at] != kHeld && (!solve(whole, of_all) || !solve(shift, more))) more[0] = more[1] = more[2] = 0;
-        for (int k = 0; k < 3; ++k) whole[k][at] = least[k][at] + of_all[k], shift[k][at] = more[k];
+        any = true;
+        if (!solve(force, mean) || !solve(missing, shift)) shift[0] = shift[1] = shift[2] = 0;
+        for (int k = 0; k < 3; ++k) force[k][at] = mean[k], missing[k][at] = shift[k];
     });
     for (int k = 0; any && k < 3; ++k)
-        w.each_place([&](size_t at) { w.w[k][at] += w.moves[at] * shift[k][w.part[at]]; });
+        w.each_place([&](size_t at) { w.w[k][at] += w.moves[at] * missing[k][w.part[at]]; });
     return any;
 }
 

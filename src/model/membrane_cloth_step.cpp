@@ -4,14 +4,15 @@
 //
 //      Phi(w) = 1/2 |w - b|_M^2 + lambda psi(x1) + ...,      b = v0 + h (g + f / m),      v1 = v0 + (w - v0) / lambda
 //
-// by Newton's method, from where the last step went. psi is the energy of springs, bend, ties; of the springs against
-// crumpling the part that is not convex acts as at x0, which is part of b; contacts, friction and air add what resists
-// motion. By convexity
+// by Newton's method, from where the last step went. psi is the energy of springs, bend, ties; contacts, friction and air
+// add what resists motion. The energy 1/2 c (|D| - L)^2 of a spring against crumpling is not convex; its part -c L |D| acts
+// by a force along the direction that the spring is expected to have at x1, which is part of b. By convexity
 //
-//      E1 - E0 <= w . grad Phi(w) / lambda - (lambda - 1/2) |v1 - v0|_M^2
+//      E1 - E0 <= w . grad Phi(w) / lambda - (lambda - 1/2) |v1 - v0|_M^2 + U(w)
 //
-// for any w, however far from the minimum. So a step ends by scaling w until w . grad Phi(w) <= 0, and then no energy
-// has come from nothing, whatever dt, stiffness, masses and the number of iterations.
+// for any w, however far from the minimum, U what such springs gain as they turn otherwise than expected. So a step ends by
+// scaling w until w . grad Phi(w) and that with lambda U(w) are not positive, and then no energy has come from nothing,
+// whatever dt, stiffness, masses and the number of iterations.
 #include <math.h>
 
 #include "model/membrane_cloth.hh"
@@ -239,8 +240,8 @@ struct ClothStep {
         return -dot(w.residual, way);
     }
 
-    // A share of `way` in [least, most] at which `rise`, of a share, is not positive, if it is negative at `least` and
-    // positive at `most`.
+    // A share of a way in [least, most] at which `rise`, the rise of energy there over the share, is not positive, if it is
+    // negative at `least` and positive at `most`.
     template <class Rise>
     double share_of(const Rise& rise, double least, double falls, double most, double rises) const {
         if (!isfinite(rises)) return least;
@@ -287,49 +288,45 @@ struct ClothStep {
         }
     }
 
-    void smooth(double* const* from, double* const* to) const {
-        rows([&](size_t first, size_t count, double*) { cloth().smooth(w.grid, w.springs(), from, to, first, count); });
-        wrap(to);
+    // The velocities by which springs expect to turn, from those before the step.
+    void expect(double* const* before, double* const* expected) const {
+        wrap(before);
+        rows([&](size_t first, size_t count, double*) {
+            cloth().smooth(w.grid, w.springs(), before, expected, first, count);
+        });
+        wrap(expected);
     }
 
-    // What the springs against crumpling gain in a step of the velocities `trial`, see cloth_gains.
-    [[gnu::noinline]] double gain() const {
-        const ClothGains with{dt,
-                              m.lambda,
-                              1 - 0.5 / m.lambda,
-                              {w.from[0], w.from[1], w.from[2]},
-                              {w.conjugate[0], w.conjugate[1], w.conjugate[2]},
-                              {w.recycled[0][0], w.recycled[0][1], w.recycled[0][2]},
-                              {w.trial[0], w.trial[1], w.trial[2]},
-                              w.mass,
-                              w.moves};
+    // The energy that springs against crumpling gain beyond what Phi knows of if the velocities `trial` move them, see
+    // cloth_gains.
+    [[gnu::noinline]] double gain(double* const* expected) const {
         rows([&](size_t first, size_t count, double*) {
-            cloth().gains(w.grid, w.springs(), with, w.sums, first, count);
+            cloth().gains(w.grid, w.springs(), dt, w.from, expected, w.trial, w.sums, first, count);
         });
         double sum = 0;
         for (size_t r = 0; r < w.grid.rows; ++r) sum += w.sums[r];
         return sum;
     }
 
-    // Scales what w has beside the velocities of whole parts, or beside those of what pushes them only, so that Phi does not
-    // rise along it, and no energy comes of springs that turn otherwise than they went on to. Those velocities, which may be as
-    // good as nothing beside the rest, are what all of it is added to.
-    void scale(bool whole) const {
-        double* const* const way = w.direction;
+    // Scales what w has beside the velocities of whole parts, or all that free ones have, so that Phi does not rise along it,
+    // and no energy comes of springs that turn otherwise than expected. Those velocities, which may be as good as nothing
+    // beside the rest, are what all of it is added to.
+    void scale(bool free) const {
+        double *const *const way = w.direction, *const *const expected = w.recycled[0];
         for (int k = 0; k < 3; ++k)
             w.each_place([&](size_t at) {
-                const double mean = (whole ? w.error : w.answer)[k][w.part[at]];
+                const double mean = free || w.bound[w.part[at]] > 0 ? w.error[k][w.part[at]] : 0;
                 way[k][at] = w.moves[at] * (w.w[k][at] - mean);
                 if (w.moves[at] > 0) w.w[k][at] = mean;
             });
         const bool turns = m.cloth.compression > 0;
         if (turns) {
             by_precision(m, [&](auto zero) { load_velocities<decltype(zero)>(w.conjugate); });
-            wrap(w.conjugate);
-            smooth(w.conjugate, w.recycled[0]);
+            expect(w.conjugate, expected);
         }
         const auto rise = [&](double share) {
-            const double falls = slope(w.w, share, way), gained = turns ? gain() : 0;
+            const double falls = slope(w.w, share, way);
+            const double gained = turns ? m.lambda * gain(expected) : 0;
             return gained > 0 ? falls + gained / share : falls;
         };
         double share = 1, most = 1, end = rise(1);
@@ -343,13 +340,18 @@ struct ClothStep {
         add(share, way, w.w);
     }
 
-    // A part of the sheet that nothing holds keeps its momentum, however little of its step was found, also in air, and along
-    // what it touches. Should air be so thick that rounding counts, or what it touches push it otherwise, the last scaling
-    // sees to it. Any other goes along with what holds or pushes it, as if that stood still.
+    // A part of the sheet that nothing holds and that touches nothing keeps its momentum, however little of its step was found,
+    // also in air. Should it touch something after all, or air be so thick that rounding counts, the last scaling sees to it.
+    // Any other goes along with what holds or pushes it, as if that stood still.
     void bound() const {
-        const bool free = share_momentum(w, contacts, dt);
+        const bool free = share_momentum(w, contacts);
         scale(true);
-        if (free && w.has_blocks()) scale(false);
+        if (!free || !w.has_blocks()) return;
+        if (CD_WITH_CONTACT && touches(w, contacts, dt)) {
+            share_momentum(w, contacts);
+            scale(true);
+        }
+        scale(false);
     }
 
     // Positions, velocities, what a node would do by itself, and what resists it.
@@ -360,7 +362,7 @@ struct ClothStep {
             for (size_t u = 0; u < m.columns; ++u) {
                 const size_t at = w.place(u, v);
                 const double tie = tie_of(m, u, v), mass = w.mass[at], moves = w.moves[at];
-                if (!(moves > 0)) w.bound[w.part[at]] = kHeld;
+                if (!(moves > 0)) w.bound[w.part[at]] = 1;
                 w.inertia[at] =
                     moves * (mass * (1 + h * m.drag) + h * (tie_damping_of(m, node_at(m, u, v)) + dt * tie));
                 for (size_t k = 0; k < 3; ++k) {
@@ -373,8 +375,7 @@ struct ClothStep {
                 }
             }
         wrap(w.from);
-        wrap(w.w);
-        smooth(w.w, w.conjugate);
+        expect(w.w, w.conjugate);
         rows([&](size_t first, size_t count, double* scratch) {
             cloth().unfold(w.grid, w.springs(), h, dt, w.from, w.conjugate, w.rhs, scratch, first, count);
         });

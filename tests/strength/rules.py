@@ -352,13 +352,13 @@ RULES = {
     "a step of cloth ends where it has made no energy": (
         CLOTH_STEP, "        add(share, way, w.w);\n", "", ["stability_cloth"]),
     "with the momentum that a free sheet has": (
-        CLOTH_STEP, "free = share_momentum(w, contacts, dt);", "free = false;", ["physics_cloth"]),
+        CLOTH_STEP, "free = share_momentum(w, contacts);", "free = false;", ["physics_cloth"]),
     "and in air and beside colliders": (
-        CLOTH_STEP, "free = share_momentum(", "free = !w.has_blocks() && share_momentum(", ["physics_cloth_motion"]),
+        CLOTH_STEP, "free = share_momentum(w, contacts);", "free = !w.has_blocks() && share_momentum(w, contacts);", ["physics_cloth_motion"]),
     "and each free part of a torn one": (
         CLOTH, "w.part[at] = joiner.first_of(at) + 1;", "w.part[at] = 1;", ["physics_cloth_motion"]),
     "and beside what moves, that goes along": (
-        CLOTH_PARTS, "fmax(least[k][at], 0) + fmin(most[k][at], 0)", "0", ["physics_cloth_contact"]),
+        CLOTH_PARTS, "fmax(least, 0) + fmin(most, 0)", "0", ["physics_cloth_contact"]),
     "but only along the normals of what pushes": (
         CLOTH_ACT, "const double pushed = speed * c.normal[k];", "const double pushed = c.velocity[k] + 0 * speed;",
         ["physics_callback"]),
@@ -386,14 +386,9 @@ RULES = {
         ["stability_cloth", "physics_cloth_motion", "physics_cloth_tears", "physics_cloth", "physics_cloth_size"]),
     "but not from node to node": ("cloth_springs.cpp", "L::splat(0.25)", "L{}", ["physics_cloth_size"]),
     "and what turns otherwise makes no energy": (
-        CLOTH_STEP, "gained = turns ? gain() : 0;", "gained = 0;", ["stability_cloth"]),
-    "beyond what a change of speed costs": (
-        CLOTH_STEP, "1 - 0.5 / m.lambda,", "0,", ["physics_cloth_motion", "physics_cloth_size", "physics_cloth"]),
+        CLOTH_STEP, "gained = turns ? m.lambda * gain(expected) : 0;", "gained = 0;", ["stability_cloth"]),
     "which is no room for what a step left": (
         CLOTH_STEP, "gained > 0 ? falls + gained / share : falls", "falls + gained / share", ["physics_cloth"]),
-    "what touches keeps its momentum along it": (
-        CLOTH_PARTS, "w.bound[part] == kHeld", "w.bound[part] > 0", ["physics_cloth_contact"]),
-    "and goes along it only": (CLOTH_ACT, "kRigid = 1e6;", "kRigid = 1;", ["stability_cloth", "physics_cloth_contact"]),
     "springs that are nearly taut count": (
         "cloth_springs.cpp", "(excess * per_length) + L::splat(0.5), 0, 1)", "(excess * per_length), 0, 1)",
         ["physics_cloth_size"]),
