@@ -59,10 +59,10 @@ void cloth_smooth(const Grid& grid, const ClothSprings& springs, const double* c
 // out += h the push of the springs against crumpling at y, as far as it does not depend on where a step of dt leads.
 void cloth_unfold(const Grid& grid, const ClothSprings& springs, double h, double dt, const double* const* y,
                   const double* const* expected, double* const* out, double* scratch, size_t first, size_t count);
-// Of each row, the energy that springs against crumpling gain in a step of dt from y by the velocities w, beyond what
-// their impulses take, where those expected others.
+// out = over its stiffness, the energy that each spring against crumpling gains in a step of dt from y by the velocities
+// w, beyond what its impulse takes, where it expected others: along u and along v.
 void cloth_gains(const Grid& grid, const ClothSprings& springs, double dt, const double* const* y,
-                 const double* const* expected, const double* const* w, double* sums, size_t first, size_t count);
+                 const double* const* expected, const double* const* w, double* const* out, size_t first, size_t count);
 // q = moves (ground + springs) p
 void cloth_apply(const Grid& grid, const ClothMatrix& matrix, const double* const* p, double* const* q, double* scratch,
                  size_t first, size_t count);

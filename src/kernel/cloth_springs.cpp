@@ -2,7 +2,6 @@
 #include <utility>
 
 #include "kernel/cloth.hh"
-#include "kernel/row_sum.hh"
 #include "kernel/vectors.hh"
 
 namespace cd {
@@ -82,9 +81,9 @@ template <int N> struct Onward {
     }
 };
 
-// What keeps springs from crumpling pushes them towards their length: compression (D - L n), D their way as a step finds
-// it and n the direction that they are expected to go on to, and as D changes otherwise, which is Pull's. As compression D
-// and compression L n, which cancel, it would be lost in rounding.
+// What keeps springs from crumpling pushes them towards their length: compression (D - L n), D their way as a step
+// finds it and n the direction that they are expected to go on to, and as D changes otherwise, which is Pull's. As
+// compression D and compression L n, which cancel, it would be lost in rounding.
 struct Unfold {
     const ClothSprings& springs;
     double h, dt;
@@ -97,34 +96,6 @@ struct Unfold {
         const Onward<N> onward(velocity, dt, size_t(at), size_t(number == kAlongU ? at + 1 : under), way, length);
         const L c = h * L::load(springs.compression[number] + at);
         return (c * (L::splat(1) - length / onward.now)) * onward.to - c * onward.turn;
-    }
-};
-
-// What the springs along u and v that start at a node gain. A spring whose way goes from D0 to D1 gains
-// 1/2 c (l1 - L)^2 - 1/2 c (l0 - L)^2 and takes (D1 - D0) . c (D1 - L n).
-struct Gain {
-    const ClothSprings& springs;
-    double dt;
-    const double *const *y, *const *expected, *const *w;
-    size_t here, below;
-
-    template <int N> Lanes<N> operator()(size_t u) const {
-        using L = Lanes<N>;
-        const size_t at = here + u;
-        L sum{};
-        for (int number : {kAlongU, kAlongV}) {
-            const size_t next = number == kAlongU ? at + 1 : below + u;
-            const auto way_of = [&](const double* const* planes) {
-                return Vector<N>::load(planes, next) - Vector<N>::load(planes, at);
-            };
-            const Vector<N> way = way_of(y), goes = L::splat(dt) * way_of(w), to = way + goes;
-            const L length = L::load(springs.length[number] + at), c = L::load(springs.compression[number] + at);
-            const Onward<N> onward(expected, dt, at, next, way, length);
-            const L sides = root(dot(way, way)) + root(dot(to, to));
-            const L longer = select(sides, dot(way + to, goes) / sides, L{});
-            sum = sum + c * (length * (dot(onward.to, goes) / onward.now - longer) - 0.5 * dot(goes, goes));
-        }
-        return sum;
     }
 };
 
@@ -212,11 +183,27 @@ void cloth_smooth(const Grid& grid, const ClothSprings& springs, const double* c
         }
 }
 
+// A spring whose way goes from D0 to D1 gains 1/2 c (l1 - L)^2 - 1/2 c (l0 - L)^2 and takes (D1 - D0) . c (D1 - L n).
 void cloth_gains(const Grid& grid, const ClothSprings& springs, double dt, const double* const* y,
-                 const double* const* expected, const double* const* w, double* sums, size_t first, size_t count) {
-    for (size_t row = first; row < first + count; ++row)
-        sums[row] =
-            row_sum(grid.columns, Gain{springs, dt, y, expected, w, row * grid.pitch, grid.below(row) * grid.pitch});
+                 const double* const* expected, const double* const* w, double* const* out, size_t first,
+                 size_t count) {
+    using L = Lanes<kLanes>;
+    for (size_t i = 2 * first; i < 2 * (first + count); ++i) {
+        const size_t row = i / 2, along = i % 2, here = row * grid.pitch;
+        const size_t beside = along == kAlongU ? here + 1 : grid.below(row) * grid.pitch;
+        for (size_t u = 0; u < grid.columns; u += kLanes) {
+            const size_t at = here + u, next = beside + u;
+            const auto way_of = [&](const double* const* planes) {
+                return V::load(planes, next) - V::load(planes, at);
+            };
+            const V way = way_of(y), goes = L::splat(dt) * way_of(w), to = way + goes;
+            const L length = L::load(springs.length[along] + at);
+            const Onward<kLanes> onward(expected, dt, at, next, way, length);
+            const L sides = root(dot(way, way)) + root(dot(to, to));
+            const L longer = select(sides, dot(way + to, goes) / sides, L{});
+            (length * (dot(onward.to, goes) / onward.now - longer) - 0.5 * dot(goes, goes)).store(out[along] + at);
+        }
+    }
 }
 
 void cloth_apply(const Grid& grid, const ClothMatrix& matrix, const double* const* p, double* const* q, double* scratch,

@@ -36,6 +36,7 @@ struct ClothWork {
     double *from[3], *to[3];         // positions before and after the step
     double *w[3], *trial[3];         // the velocity that moves the nodes
     double *rhs[3], *residual[3];    // see ClothResidual
+    double* expected[3];             // velocities by which springs expect to turn
     double *direction[3], *error[3]; // of Newton's method, and what is left of its system
     double *conjugate[3], *image[3]; // a conjugate direction and the matrix times it
     double *answer[3], *turned_z[3]; // of lines along v and along u
@@ -63,9 +64,9 @@ struct ClothWork {
 // Makes the coefficients for steps of dt whose impulses are those of h.
 void prepare(const Membrane& m, ClothWork& w, double h, double dt);
 
-// Shifts w so that every part of the sheet that is free has the momentum that it should, and puts the velocity that such
-// a part has as a whole into `error`, at the part's first node: springs cancel in its balance. Of any other part that is,
-// along each axis, the least that all that holds or pushes it moves by. False if none is free.
+// Shifts w so that every part of the sheet that is free has the momentum that it should, and puts the velocity that
+// such a part has as a whole into `error`, at the part's first node: springs cancel in its balance. Of any other part
+// that is, along each axis, the least that all that holds or pushes it moves by. False if none is free.
 bool share_momentum(const ClothWork& w, size_t contacts);
 
 // Cuts springs that are beyond their breaking strain (membrane_cloth_tear.cpp); tells how many.

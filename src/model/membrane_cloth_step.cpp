@@ -4,15 +4,16 @@
 //
 //      Phi(w) = 1/2 |w - b|_M^2 + lambda psi(x1) + ...,      b = v0 + h (g + f / m),      v1 = v0 + (w - v0) / lambda
 //
-// by Newton's method, from where the last step went. psi is the energy of springs, bend, ties; contacts, friction and air
-// add what resists motion. The energy 1/2 c (|D| - L)^2 of a spring against crumpling is not convex; its part -c L |D| acts
-// by a force along the direction that the spring is expected to have at x1, which is part of b. By convexity
+// by Newton's method, from where the last step went. psi is the energy of springs, bend, ties; contacts, friction and
+// air add what resists motion. The energy 1/2 c (|D| - L)^2 of a spring against crumpling is not convex; its part -c
+// L |D| acts by a force along the direction that the spring is expected to have at x1, which is part of b. By
+// convexity
 //
 //      E1 - E0 <= w . grad Phi(w) / lambda - (lambda - 1/2) |v1 - v0|_M^2 + U(w)
 //
-// for any w, however far from the minimum, U what such springs gain as they turn otherwise than expected. So a step ends by
-// scaling w until w . grad Phi(w) and that with lambda U(w) are not positive, and then no energy has come from nothing,
-// whatever dt, stiffness, masses and the number of iterations.
+// for any w, however far from the minimum, U what such springs gain as they turn otherwise than expected. So a step
+// ends by scaling w until w . grad Phi(w) and that with lambda U(w) are not positive, and then no energy has come
+// from nothing, whatever dt, stiffness, masses and the number of iterations.
 #include <math.h>
 
 #include "model/membrane_cloth.hh"
@@ -66,13 +67,14 @@ struct ClothStep {
             for (int k = 0; k < count; ++k) sheet().wrap(w.grid, planes[k], first, number);
         });
     }
-    double dot(double* const* a, double* const* b) const {
+    [[gnu::noinline]] double sum_of(const double* a, const double* b) const {
         double sum = 0;
-        for (int k = 0; k < 3; ++k) {
-            rows([&](size_t first, size_t count, double*) { sheet().dot(w.grid, a[k], b[k], w.sums, first, count); });
-            for (size_t r = 0; r < w.grid.rows; ++r) sum += w.sums[r];
-        }
+        rows([&](size_t first, size_t count, double*) { sheet().dot(w.grid, a, b, w.sums, first, count); });
+        for (size_t r = 0; r < w.grid.rows; ++r) sum += w.sums[r];
         return sum;
+    }
+    double dot(double* const* a, double* const* b) const {
+        return (sum_of(a[0], b[0]) + sum_of(a[1], b[1])) + sum_of(a[2], b[2]);
     }
     [[gnu::noinline]] void copy(double* const* from, double* const* to) const {
         rows([&](size_t first, size_t count, double*) {
@@ -240,8 +242,8 @@ struct ClothStep {
         return -dot(w.residual, way);
     }
 
-    // A share of a way in [least, most] at which `rise`, the rise of energy there over the share, is not positive, if it is
-    // negative at `least` and positive at `most`.
+    // A share of a way in [least, most] at which `rise`, the rise of energy there over the share, is not positive, if
+    // it is negative at `least` and positive at `most`.
     template <class Rise>
     double share_of(const Rise& rise, double least, double falls, double most, double rises) const {
         if (!isfinite(rises)) return least;
@@ -288,45 +290,28 @@ struct ClothStep {
         }
     }
 
-    // The velocities by which springs expect to turn, from those before the step.
-    void expect(double* const* before, double* const* expected) const {
-        wrap(before);
+    // The energy that springs against crumpling gain beyond what Phi knows of if the velocities `trial` move them.
+    [[gnu::noinline]] double gain() const {
         rows([&](size_t first, size_t count, double*) {
-            cloth().smooth(w.grid, w.springs(), before, expected, first, count);
+            cloth().gains(w.grid, w.springs(), dt, w.from, w.expected, w.trial, w.conjugate, first, count);
         });
-        wrap(expected);
+        return sum_of(w.compression[kU], w.conjugate[0]) + sum_of(w.compression[kV], w.conjugate[1]);
     }
 
-    // The energy that springs against crumpling gain beyond what Phi knows of if the velocities `trial` move them, see
-    // cloth_gains.
-    [[gnu::noinline]] double gain(double* const* expected) const {
-        rows([&](size_t first, size_t count, double*) {
-            cloth().gains(w.grid, w.springs(), dt, w.from, expected, w.trial, w.sums, first, count);
-        });
-        double sum = 0;
-        for (size_t r = 0; r < w.grid.rows; ++r) sum += w.sums[r];
-        return sum;
-    }
-
-    // Scales what w has beside the velocities of whole parts, or all that free ones have, so that Phi does not rise along it,
-    // and no energy comes of springs that turn otherwise than expected. Those velocities, which may be as good as nothing
-    // beside the rest, are what all of it is added to.
+    // Scales what w has beside the velocities of whole parts, or all that free ones have, so that Phi does not rise
+    // along it, and no energy comes of springs that turn otherwise than expected. Those velocities, which may be as
+    // good as nothing beside the rest, are what all of it is added to.
     void scale(bool free) const {
-        double *const *const way = w.direction, *const *const expected = w.recycled[0];
+        double* const* const way = w.direction;
         for (int k = 0; k < 3; ++k)
             w.each_place([&](size_t at) {
                 const double mean = free || w.bound[w.part[at]] > 0 ? w.error[k][w.part[at]] : 0;
                 way[k][at] = w.moves[at] * (w.w[k][at] - mean);
                 if (w.moves[at] > 0) w.w[k][at] = mean;
             });
-        const bool turns = m.cloth.compression > 0;
-        if (turns) {
-            by_precision(m, [&](auto zero) { load_velocities<decltype(zero)>(w.conjugate); });
-            expect(w.conjugate, expected);
-        }
         const auto rise = [&](double share) {
             const double falls = slope(w.w, share, way);
-            const double gained = turns ? m.lambda * gain(expected) : 0;
+            const double gained = m.cloth.compression > 0 ? m.lambda * gain() : 0;
             return gained > 0 ? falls + gained / share : falls;
         };
         double share = 1, most = 1, end = rise(1);
@@ -340,9 +325,9 @@ struct ClothStep {
         add(share, way, w.w);
     }
 
-    // A part of the sheet that nothing holds and that touches nothing keeps its momentum, however little of its step was found,
-    // also in air. Should it touch something after all, or air be so thick that rounding counts, the last scaling sees to it.
-    // Any other goes along with what holds or pushes it, as if that stood still.
+    // A part of the sheet that nothing holds and that touches nothing keeps its momentum, however little of its step
+    // was found, also in air. Should it touch something after all, or air be so thick that rounding counts, the last
+    // scaling sees to it. Any other goes along with what holds or pushes it, as if that stood still.
     void bound() const {
         const bool free = share_momentum(w, contacts);
         scale(true);
@@ -375,9 +360,13 @@ struct ClothStep {
                 }
             }
         wrap(w.from);
-        expect(w.w, w.conjugate);
+        wrap(w.w);
+        rows([&](size_t first, size_t count, double*) {
+            cloth().smooth(w.grid, w.springs(), w.w, w.expected, first, count);
+        });
+        wrap(w.expected);
         rows([&](size_t first, size_t count, double* scratch) {
-            cloth().unfold(w.grid, w.springs(), h, dt, w.from, w.conjugate, w.rhs, scratch, first, count);
+            cloth().unfold(w.grid, w.springs(), h, dt, w.from, w.expected, w.rhs, scratch, first, count);
         });
         if (!w.has_blocks()) return;
         for (int k = 0; k < 6; ++k) w.each_place([&](size_t at) { w.own[k][at] = k < 3 ? w.inertia[at] : 0; });
@@ -386,10 +375,7 @@ struct ClothStep {
     }
     template <class T> void load() const {
         each_number_of_state<T>(m.position, [&](size_t k, size_t at, T& x) { w.from[k][at] = double(x); });
-        load_velocities<T>(w.w);
-    }
-    template <class T> void load_velocities(double* const* to) const {
-        each_number_of_state<T>(m.velocity, [&](size_t k, size_t at, T& v) { to[k][at] = double(v); });
+        each_number_of_state<T>(m.velocity, [&](size_t k, size_t at, T& v) { w.w[k][at] = double(v); });
     }
     // f(component, place in the planes, number)
     template <class T, class F> void each_number_of_state(const Array<char>& array, F f) const {
@@ -410,7 +396,7 @@ struct ClothStep {
             to = fabs(value) < Limits<T>::least ? T(0) : T(value);
             return isfinite(to) != 0;
         };
-        load_velocities<T>(w.trial);
+        each_number_of_state<T>(m.velocity, [&](size_t k, size_t at, T& v) { w.trial[k][at] = double(v); });
         // What a collider gave does not go on.
         each_number_of_state<T>(m.change, [&](size_t k, size_t at, T& change) {
             if (touched || !put(w.w[k][at] - w.trial[k][at], change)) change = 0;

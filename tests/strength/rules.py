@@ -376,7 +376,7 @@ RULES = {
     "what can't go the whole way goes on": (
         CLOTH_STEP, "kMoreIterations = 4;", "kMoreIterations = 0;", ["physics_cloth_size"]),
     "what crumples is pushed as the step finds it": (
-        CLOTH_STEP, "cloth().unfold(w.grid, w.springs(), h, dt, w.from, w.conjugate, w.rhs, scratch, first, count);", "",
+        CLOTH_STEP, "cloth().unfold(w.grid, w.springs(), h, dt, w.from, w.expected, w.rhs, scratch, first, count);", "",
         ["physics_cloth"]),
     "and where it turns on as it does": (
         "cloth_springs.cpp", "length / larger(root(dot(moves, moves)), length) * moves", "L{} * moves",
@@ -386,7 +386,7 @@ RULES = {
         ["stability_cloth", "physics_cloth_motion", "physics_cloth_tears", "physics_cloth", "physics_cloth_size"]),
     "but not from node to node": ("cloth_springs.cpp", "L::splat(0.25)", "L{}", ["physics_cloth_size"]),
     "and what turns otherwise makes no energy": (
-        CLOTH_STEP, "gained = turns ? m.lambda * gain(expected) : 0;", "gained = 0;", ["stability_cloth"]),
+        CLOTH_STEP, "gained = m.cloth.compression > 0 ? m.lambda * gain() : 0;", "gained = 0;", ["stability_cloth"]),
     "which is no room for what a step left": (
         CLOTH_STEP, "gained > 0 ? falls + gained / share : falls", "falls + gained / share", ["physics_cloth"]),
     "springs that are nearly taut count": (
