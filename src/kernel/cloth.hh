@@ -56,9 +56,11 @@ void cloth_residual(const Grid& grid, const ClothSprings& springs, const ClothMa
 // to = what velocities are on average around each node: what springs expect to go on, but for needles.
 void cloth_smooth(const Grid& grid, const ClothSprings& springs, const double* const* from, double* const* to,
                   size_t first, size_t count);
-// out += h the push of the springs against crumpling at y, as far as it does not depend on where a step of dt leads.
+// h times what springs against crumpling push by at y, as far as it does not depend on where a step of dt leads: at
+// their starts, and as much the other way at their ends.
 void cloth_unfold(const Grid& grid, const ClothSprings& springs, double h, double dt, const double* const* y,
-                  const double* const* expected, double* const* out, double* scratch, size_t first, size_t count);
+                  const double* const* expected, double* const* along_u, double* const* along_v, size_t first,
+                  size_t count);
 // out = over its stiffness, the energy that each spring against crumpling gains in a step of dt from y by the velocities
 // w, beyond what its impulse takes, where it expected others: along u and along v.
 void cloth_gains(const Grid& grid, const ClothSprings& springs, double dt, const double* const* y,

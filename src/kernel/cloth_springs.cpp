@@ -81,24 +81,6 @@ template <int N> struct Onward {
     }
 };
 
-// What keeps springs from crumpling pushes them towards their length: compression (D - L n), D their way as a step
-// finds it and n the direction that they are expected to go on to, and as D changes otherwise, which is Pull's. As
-// compression D and compression L n, which cancel, it would be lost in rounding.
-struct Unfold {
-    const ClothSprings& springs;
-    double h, dt;
-    const double* const* velocity;
-
-    template <int N> Vector<N> force(int number, ptrdiff_t at, ptrdiff_t under, Vector<N> way, bool) const {
-        using L = Lanes<N>;
-        if (number > kAlongV) return Vector<N>{};
-        const L length = L::load(springs.length[number] + at);
-        const Onward<N> onward(velocity, dt, size_t(at), size_t(number == kAlongU ? at + 1 : under), way, length);
-        const L c = h * L::load(springs.compression[number] + at);
-        return (c * (L::splat(1) - length / onward.now)) * onward.to - c * onward.turn;
-    }
-};
-
 // The product of a spring's curvature with a difference.
 struct Product {
     const ClothMatrix& matrix;
@@ -156,10 +138,48 @@ void cloth_residual(const Grid& grid, const ClothSprings& springs, const ClothMa
                 });
 }
 
+namespace {
+
+// turns(along, at, next) for every bundle of springs along u and v that start in these rows.
+template <class Turns> void each_spring(const Grid& grid, size_t first, size_t count, const Turns& turns) {
+    for (size_t i = 2 * first; i < 2 * (first + count); ++i) {
+        const size_t row = i / 2, along = i % 2, here = row * grid.pitch;
+        const size_t beside = along == kAlongU ? here + 1 : grid.below(row) * grid.pitch;
+        for (size_t u = 0; u < grid.columns; u += kLanes) turns(along, here + u, beside + u);
+    }
+}
+
+} // namespace
+
+// What keeps springs from crumpling pushes them towards their length: compression (D - L n), D their way as a step finds
+// it and n the direction that they are expected to go on to, and as D changes otherwise, which is Pull's. As compression
+// D and compression L n, which cancel, it would be lost in rounding.
 void cloth_unfold(const Grid& grid, const ClothSprings& springs, double h, double dt, const double* const* y,
-                  const double* const* velocity, double* const* out, double* scratch, size_t first, size_t count) {
-    sum_springs(grid, Unfold{springs, h, dt, velocity}, y, scratch, first, count,
-                [&](size_t at, V pull) { (V::load(out, at) + pull).store(out, at); });
+                  const double* const* expected, double* const* along_u, double* const* along_v, size_t first,
+                  size_t count) {
+    using L = Lanes<kLanes>;
+    each_spring(grid, first, count, [&](size_t along, size_t at, size_t next) {
+        const L length = L::load(springs.length[along] + at), c = h * L::load(springs.compression[along] + at);
+        const Onward<kLanes> onward(expected, dt, at, next, V::load(y, next) - V::load(y, at), length);
+        const V push = (c * (L::splat(1) - length / onward.now)) * onward.to - c * onward.turn;
+        push.store(along == kAlongU ? along_u : along_v, at);
+    });
+}
+
+// A spring whose way goes from D0 to D1 gains 1/2 c (l1 - L)^2 - 1/2 c (l0 - L)^2 and takes (D1 - D0) . c (D1 - L n).
+void cloth_gains(const Grid& grid, const ClothSprings& springs, double dt, const double* const* y,
+                 const double* const* expected, const double* const* w, double* const* out, size_t first,
+                 size_t count) {
+    using L = Lanes<kLanes>;
+    each_spring(grid, first, count, [&](size_t along, size_t at, size_t next) {
+        const auto way_of = [&](const double* const* planes) { return V::load(planes, next) - V::load(planes, at); };
+        const V way = way_of(y), goes = L::splat(dt) * way_of(w), to = way + goes;
+        const L length = L::load(springs.length[along] + at);
+        const Onward<kLanes> onward(expected, dt, at, next, way, length);
+        const L sides = root(dot(way, way)) + root(dot(to, to));
+        const L longer = select(sides, dot(way + to, goes) / sides, L{});
+        (length * (dot(onward.to, goes) / onward.now - longer) - 0.5 * dot(goes, goes)).store(out[along] + at);
+    });
 }
 
 // (1 2 1) / 4 along u and then along v, where two springs meet in line.
@@ -181,29 +201,6 @@ void cloth_smooth(const Grid& grid, const ClothSprings& springs, const double* c
             const V here = along_u(row), aside = (along_u(above) - here) + (along_u(grid.below(row)) - here);
             (here + quarter(L::load(c + above * grid.pitch + u), L::load(c + at)) * aside).store(to, at);
         }
-}
-
-// A spring whose way goes from D0 to D1 gains 1/2 c (l1 - L)^2 - 1/2 c (l0 - L)^2 and takes (D1 - D0) . c (D1 - L n).
-void cloth_gains(const Grid& grid, const ClothSprings& springs, double dt, const double* const* y,
-                 const double* const* expected, const double* const* w, double* const* out, size_t first,
-                 size_t count) {
-    using L = Lanes<kLanes>;
-    for (size_t i = 2 * first; i < 2 * (first + count); ++i) {
-        const size_t row = i / 2, along = i % 2, here = row * grid.pitch;
-        const size_t beside = along == kAlongU ? here + 1 : grid.below(row) * grid.pitch;
-        for (size_t u = 0; u < grid.columns; u += kLanes) {
-            const size_t at = here + u, next = beside + u;
-            const auto way_of = [&](const double* const* planes) {
-                return V::load(planes, next) - V::load(planes, at);
-            };
-            const V way = way_of(y), goes = L::splat(dt) * way_of(w), to = way + goes;
-            const L length = L::load(springs.length[along] + at);
-            const Onward<kLanes> onward(expected, dt, at, next, way, length);
-            const L sides = root(dot(way, way)) + root(dot(to, to));
-            const L longer = select(sides, dot(way + to, goes) / sides, L{});
-            (length * (dot(onward.to, goes) / onward.now - longer) - 0.5 * dot(goes, goes)).store(out[along] + at);
-        }
-    }
 }
 
 void cloth_apply(const Grid& grid, const ClothMatrix& matrix, const double* const* p, double* const* q, double* scratch,

@@ -339,6 +339,34 @@ struct ClothStep {
         scale(false);
     }
 
+    // What springs against crumpling do by themselves.
+    void unfold() const {
+        double *const *const along_u = w.direction, *const *const along_v = w.error;
+        wrap(w.w);
+        rows([&](size_t first, size_t count, double*) {
+            cloth().smooth(w.grid, w.springs(), w.w, w.expected, first, count);
+        });
+        wrap(w.expected);
+        rows([&](size_t first, size_t count, double*) {
+            cloth().unfold(w.grid, w.springs(), h, dt, w.from, w.expected, along_u, along_v, first, count);
+        });
+        wrap(along_u);
+        rows([&](size_t first, size_t count, double*) {
+            const auto add = [&](double sign, const double* push, double* to, size_t row, size_t many) {
+                sheet().combine(w.grid, 1, to, sign, push, to, row, many);
+            };
+            for (int k = 0; k < 3; ++k) {
+                add(1, along_u[k], w.rhs[k], first, count);
+                add(-1, along_u[k] - 1, w.rhs[k], first, count);
+                add(1, along_v[k], w.rhs[k], first, count);
+                for (size_t row = first; row < first + count; ++row) {
+                    const ptrdiff_t above = ptrdiff_t(w.grid.above(row)) - ptrdiff_t(row);
+                    add(-1, along_v[k] + above * ptrdiff_t(w.grid.pitch), w.rhs[k], row, 1);
+                }
+            }
+        });
+    }
+
     // Positions, velocities, what a node would do by itself, and what resists it.
     void start(double now) {
         by_precision(m, [&](auto zero) { load<decltype(zero)>(); });
@@ -360,14 +388,7 @@ struct ClothStep {
                 }
             }
         wrap(w.from);
-        wrap(w.w);
-        rows([&](size_t first, size_t count, double*) {
-            cloth().smooth(w.grid, w.springs(), w.w, w.expected, first, count);
-        });
-        wrap(w.expected);
-        rows([&](size_t first, size_t count, double* scratch) {
-            cloth().unfold(w.grid, w.springs(), h, dt, w.from, w.expected, w.rhs, scratch, first, count);
-        });
+        unfold();
         if (!w.has_blocks()) return;
         for (int k = 0; k < 6; ++k) w.each_place([&](size_t at) { w.own[k][at] = k < 3 ? w.inertia[at] : 0; });
         if (m.cloth.along > 0 || m.cloth.across > 0) add_air(m, w, h);
