@@ -111,6 +111,16 @@ template <class IsOpen> void put_openings(size_t count, Panel to, IsOpen is_open
         for (size_t lane = 0; lane < kLines; ++lane) to.first[i * kLines + lane] = is_open(i, lane) ? 1 : 0;
 }
 
+// What lets water cross the faces of lines of cells: 1, or 0 beside cells that are not there and on walls.
+__attribute__((noinline)) inline void fetch_openings(const Place& bytes, const WaterLines& lines, Neighbours cells,
+                                                     Panel to) {
+    put_openings(cells.count + 1, to, [&](size_t i, size_t lane) {
+        const bool inner = cells.ring || (i > 0 && i < cells.count);
+        const size_t r = bytes.at(i < cells.count ? i : cells.behind(i - 1), lane);
+        return lines.there(bytes.at(cells.before(i), lane)) && lines.there(r) && !(inner && lines.walled(r));
+    });
+}
+
 // work.bundle(first line, lanes) for the lines in packs [first, first + count); whether all came out finite.
 template <class Work> bool in_bundles(const Work& work, size_t lines, size_t first, size_t count) {
     const size_t end = (first + count) * kWaterPack < lines ? (first + count) * kWaterPack : lines;
