@@ -66,13 +66,18 @@ struct Across {
         // In the mean of both lines.
         fetch_mean(n + 1, lines.moved, faces.flux);
         fetch_mean(n, lines.depth, faces.water);
-        if (lines.has_closed_faces()) {
-            const Place b = place_of(sweep, lines.bytes, line, lanes),
-                        b_before = place_of(sweep, lines.bytes, before, lanes);
-            put_openings(n, faces.opening = panel(), [&](size_t i, size_t lane) {
-                const size_t at = b.at(i, lane);
-                return lines.there(b_before.at(i, lane)) && lines.there(at) && !lines.walled_between(at);
-            });
+        const Place b = place_of(sweep, lines.bytes, line, lanes),
+                    b_before = place_of(sweep, lines.bytes, before, lanes);
+        if (lines.mask || lines.wall_between) {
+            faces.opening = panel();
+            for (size_t lane = 0; lane < kLines; ++lane)
+                for (size_t i = 0; i < n; ++i) {
+                    const size_t at = b.at(i, lane);
+                    const bool open = lines.there(b_before.at(i, lane)) && lines.there(at) && !lines.walled_between(at);
+                    faces.opening.first[i * kLines + lane] = open ? 1 : 0;
+                }
+        }
+        if (lines.has_closed_faces()) { // of either line
             fetch_openings(b, lines, faces.places, faces.beside = panel());
             fetch_openings(b_before, lines, faces.places, pull);
             for (size_t i = 0; i <= n; ++i) faces.beside.put(i, larger(faces.beside[i], pull[i]));

@@ -64,7 +64,7 @@ struct WaterLines {
     StateNumbers moved;          // out, and for carry_across: what went through faces, as depths [m]
     double* tally;               // out: kTallies numbers per line, to which runs of its cells add
 
-    bool has_closed_faces() const { return mask || wall || wall_between; }
+    bool has_closed_faces() const { return mask || wall; }
     bool there(size_t byte) const { return !mask || mask[byte] != 0; }
     bool walled(size_t byte) const { return wall && wall[byte] != 0; }
     bool walled_between(size_t byte) const { return wall_between && wall_between[byte] != 0; }
