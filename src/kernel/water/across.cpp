@@ -77,7 +77,7 @@ struct Across {
                     faces.opening.first[i * kLines + lane] = open ? 1 : 0;
                 }
         }
-        if (lines.has_closed_faces()) { // of either line
+        if (lines.has_closed_faces()) { // closed is what both lines have closed
             fetch_openings(b, lines, faces.places, faces.beside = panel());
             fetch_openings(b_before, lines, faces.places, pull);
             for (size_t i = 0; i <= n; ++i) faces.beside.put(i, larger(faces.beside[i], pull[i]));
