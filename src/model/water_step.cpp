@@ -139,7 +139,7 @@ struct Stepper {
         count_up(lines.lines);
         if (!CD_WITH_ADVECTED || !carries(a)) return;
         // It carries the velocities across it, too, which lie on the faces between the lines.
-        lines.velocity = state_of(w, w.velocity[other(a)]), lines.wall = w.wall[other(a)].data;
+        lines.velocity = state_of(w, w.velocity[other(a)]), lines.wall_between = w.wall[other(a)].data;
         lines.seam = all_awake(w) && periodic(w, other(a));
         in_runs(a, along, [&](const WaterSweep& run, double* place, size_t first, size_t count) {
             return kernels().carry_across(run, lines, place, first, count);

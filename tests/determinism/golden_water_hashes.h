@@ -54,16 +54,16 @@
 {10, 17, 1, {0xd4a224799f0e354a, 0x3e98074c93252028}}, /* fed */
 {10, 16, 7, {0x439d6531ed996d59, 0xc9e50d630623e061}}, /* fed */
 {10, 2, 16, {0x61975d8b8520856a, 0x25e11d339c20be05}}, /* fed */
-{11, 13, 9, {0x350e491c15da16f4, 0x2bd4dc9a07243198}}, /* everything */
-{11, 1, 17, {0x71a1fa8913c5d2c4, 0x8d194d0c1a8b0986}}, /* everything */
-{11, 17, 1, {0xf9d7d589a07b496e, 0xfbd5b96c7b3d4564}}, /* everything */
-{11, 16, 7, {0x916ea2dae20ff713, 0xf29e352c9e8515a8}}, /* everything */
-{11, 2, 16, {0xb8afbf87cbacf8b0, 0xfecc909ce6102ba4}}, /* everything */
-{12, 13, 9, {0xc85dd3605123862f, 0x111fbf25404b795d}}, /* everything, long steps */
-{12, 1, 17, {0x5b7a04382ff99db0, 0x4b094a1f61201378}}, /* everything, long steps */
-{12, 17, 1, {0x08e3a633a0bdba71, 0x27ef2916e173ba55}}, /* everything, long steps */
-{12, 16, 7, {0xf604fd689abb9c37, 0xea784440b26ad2e7}}, /* everything, long steps */
-{12, 2, 16, {0x969efd119344a4b8, 0x314e45b7e7e9cf5f}}, /* everything, long steps */
+{11, 13, 9, {0x31eeed6940037b88, 0xd6c718cb91a61b35}}, /* everything */
+{11, 1, 17, {0x824c77138915aaf9, 0xaf1a55fbf1e161ec}}, /* everything */
+{11, 17, 1, {0xcb97b23da4aab6c6, 0xbdb00808862805a9}}, /* everything */
+{11, 16, 7, {0xe44a0ac397a2b942, 0x0248edec456fd75f}}, /* everything */
+{11, 2, 16, {0x59da9527a47cf0f1, 0xa5ed435aa48de551}}, /* everything */
+{12, 13, 9, {0x55c48062f7d087ec, 0xa40883758e8f65eb}}, /* everything, long steps */
+{12, 1, 17, {0xa78a41c559a0b002, 0xd0c98b4fb4cdc237}}, /* everything, long steps */
+{12, 17, 1, {0xee10460b43ec32de, 0x4c8d715ee92b5116}}, /* everything, long steps */
+{12, 16, 7, {0x2ff6c4fee11d9903, 0x696fe6582ff5f12c}}, /* everything, long steps */
+{12, 2, 16, {0x8f01dd5ec3545d0f, 0xfe448664b1f68c6a}}, /* everything, long steps */
 {13, 13, 9, {0xc10f2419498ec1cf, 0x0c5b81818e843b98}}, /* hulls */
 {13, 1, 17, {0xefc6e6dfd02ac6c0, 0xdb8e5fc1b4daa8e6}}, /* hulls */
 {13, 17, 1, {0x1b1c6d57f7439e98, 0xb0f69705ff1e3bdd}}, /* hulls */

@@ -210,6 +210,62 @@ static void mirrored_scenes_stay_each_others_image(void** state) {
             }
 }
 
+/* What is absent or stands behind a wall does not act: cells of a larger lattice that are cut off from the rest, by
+ * absent cells or by walls, are a water of their own, to the bit where they are wet. */
+static void what_is_cut_off_is_a_water_of_its_own(void** state) {
+    (void)state;
+    enum { BEFORE_X = 3, ALL_X = NX + 5, ALL = (ALL_X + 1) * (NY + 5) };
+    static const char* const names[] = {"absent cells", "walls", "walls along y"};
+    for (size_t k = 0; k < WAYS * COUNT(names) * 5; ++k) {
+        const struct way* const way = &ways[k % WAYS];
+        const int by = k / WAYS % COUNT(names), longer = !by && !basin_is_explicit(way);
+        const size_t before_y = by == 2 ? 0 : 2, all_y = NY + 2 * before_y, count = ALL_X * all_y;
+        uint64_t seed = 1 + k / WAYS / COUNT(names);
+        double values[ALL], seen[MOST], ones[MOST];
+        size_t n_x, n_y;
+        cd_water* w = scene(way, WET, seed, CD_FLOAT64);
+        cd_water* all = basin(ALL_X, all_y, 0.5, 0.7, CD_FLOAT64);
+        basin_set_way(all, way);
+        for (size_t i = 0; i < ALL; ++i) values[i] = 0.5 + 0.5 * random_number(&seed);
+        for (size_t i = 0; i < MOST; ++i) ones[i] = 1;
+        ok(cd_water_write_f64(all, CD_BED, 0, 0, ALL_X, all_y, values, count));
+        if (by) ok(cd_water_write_f64(all, CD_DEPTH, 0, 0, ALL_X, all_y, values, count));
+        ok(cd_water_write_f64(all, CD_VELOCITY_Y, 0, 1, ALL_X, all_y - 1, values, count - ALL_X));
+        for (size_t i = 0; i < ALL; ++i) values[i] = 0;
+        if (!by) {
+            ok(cd_water_enable_field(all, CD_MASK));
+            ok(cd_water_write_f64(all, CD_MASK, 0, 0, ALL_X, all_y, values, count));
+            ok(cd_water_write_f64(all, CD_MASK, BEFORE_X, before_y, NX, NY, ones, CELLS));
+        }
+        for (size_t f = 0; f < COUNT(copied); ++f) {
+            if (!has(w, copied[f])) continue;
+            extent(copied[f], &n_x, &n_y);
+            basin_read(w, copied[f], values);
+            ok(cd_water_write_f64(all, copied[f], BEFORE_X, before_y, n_x, n_y, values, n_x * n_y));
+        }
+        for (size_t last = 0; by && last < 2; ++last) {
+            ok(cd_water_enable_field(all, CD_WALL_X));
+            ok(cd_water_write_f64(all, CD_WALL_X, BEFORE_X + last * NX, before_y, 1, NY, ones, NY));
+            if (by == 2) continue;
+            ok(cd_water_enable_field(all, CD_WALL_Y));
+            ok(cd_water_write_f64(all, CD_WALL_Y, BEFORE_X, before_y + last * NY, NX, 1, ones, NX));
+        }
+        for (int n = 0; n < 20; ++n) basin_step(w, longer ? 0.3 : 0.03, 1), basin_step(all, longer ? 0.3 : 0.03, 1);
+        int same = 1;
+        for (cd_field f = CD_DEPTH; f <= CD_VELOCITY_Y; ++f) {
+            if (f == CD_BED || f == CD_SURFACE) continue;
+            extent(f, &n_x, &n_y);
+            basin_read(w, f, seen);
+            ok(cd_water_read_f64(all, f, BEFORE_X, before_y, n_x, n_y, values, n_x * n_y));
+            for (size_t i = 0; i < n_x * n_y; ++i) same &= values[i] == seen[i];
+        }
+        if (!same) print_message("%s, cut off by %s: not the same\n", way->name, names[by]);
+        assert_true(same);
+        cd_water_destroy(w);
+        cd_water_destroy(all);
+    }
+}
+
 static void a_ring_may_begin_anywhere(void** state) {
     (void)state;
     for (size_t k = 0; k < WAYS; ++k)
@@ -350,6 +406,7 @@ int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(a_transposed_scene_is_the_same_to_the_bit),
         cmocka_unit_test(mirrored_scenes_stay_each_others_image),
+        cmocka_unit_test(what_is_cut_off_is_a_water_of_its_own),
         cmocka_unit_test(a_ring_may_begin_anywhere),
         cmocka_unit_test(twice_the_ring_is_the_same_ring),
         cmocka_unit_test(a_single_cell_between_two_sides_is_its_own_image),

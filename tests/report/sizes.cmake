@@ -29,7 +29,7 @@ set(variants
   "without float32|FLOAT32"
   "without float64|FLOAT64"
   "without AVX-512|AVX512"
-  "without AVX2 and AVX-512|AVX2+AVX512|870608"
+  "without AVX2 and AVX-512|AVX2+AVX512|866512"
   "chain alone|MEMBRANE+WATER"
   "membrane alone|CHAIN+WATER"
   "water alone|CHAIN+MEMBRANE"

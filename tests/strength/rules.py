@@ -24,8 +24,7 @@ RULES = {
     "water climbs as far as its speed lifts it": (
         "water/face.hh", "over + kClimbedHeads * head", "L::splat(1e300)", ["physics_water_symmetry"]),
     "what runs dry keeps more than rounding": (
-        "water/face.hh", "constexpr double kGives = 1 - 0x1p-40;", "constexpr double kGives = 1 - 0x1p-53;",
-        ["physics_water_symmetry"]),
+        "water/face.hh", "kGives = 1 - 0x1p-40;", "kGives = 1 - 0x1p-53;", ["physics_water_symmetry"]),
     "a stream carries changes of depth along": ("water/surface.hh", "k = theta * cells,", "k = 0.0 * cells,",
         ["stability_water_currents"]),
     "the stream's acceleration counts in fluxes": (
@@ -99,8 +98,12 @@ RULES = {
         "water/velocity.hh", "const bool is_given = sweep.end[e].depth > 0;", "const bool is_given = false;",
         ["physics_water_gates"]),
     "slopes of velocities within cells": (
-        "water/momentum.hh", "const L part = smaller(run, positive(L::splat(1) - run)) * even_depth(cell);", "const L part = 0.0 * run;",
+        "water/momentum.hh", "const L part = smaller(run, positive(L::splat(1) - run)) * even[cell];", "const L part = 0.0 * run;",
         ["physics_water_sides"]),
+    "no slope reaches behind a wall": (
+        "water/momentum.hh", "l = select(open(cell), ", "l = select(L::splat(1), ", ["physics_water_symmetry"]),
+    "of velocities across lines neither": (
+        "water/across.cpp", "return beside ?", "return false ?", ["physics_water_symmetry"]),
     "slopes only where depths are even": (
         "water/momentum.hh", "return positive(smaller(least,", "return least; return positive(smaller(least,",
         ["stability_water_currents", "stability_water_energy", "physics_water_thacker"]),
@@ -116,7 +119,7 @@ RULES = {
         "../model/water_measure.cpp", "return part > 0 ? (part < 1 ? part : 1) * number(w.velocity[a], other) : 0;", "return 0 * part;",
         ["stability_water_energy"]),
     "slopes across": (
-        "water/across.cpp", "return smaller(q, positive(given - q)) * half_slope(through, velocity, places, l, r);", "return 0.0 * q;",
+        "water/across.cpp", "const L part = smaller(q, positive(given - q))", "const L part = 0.0 * q",
         ["physics_water_thacker", "physics_water_momentum"]),
     "between dry lines nothing moves": (
         "water/across.cpp", "select(water[i], select(passes, u, velocity[i]), L{})", "select(passes, u, velocity[i])", ["api_water_diverge"]),

@@ -10,7 +10,7 @@ namespace {
 struct AcrossCarriers {
     Neighbours places;
     Panel velocity, water, volume, flux; // water: what there is after the sweep, volume before it; flux: between faces
-    Panel opening;                       // null: all are open
+    Panel opening, beside;               // of faces that carry and of those between them; null: all are open
 
     FaceVolume at(size_t i) const {
         const L v = positive(water[i] - (flux[i] - flux[i + 1])), u = velocity[i];
@@ -26,7 +26,8 @@ struct AcrossCarriers {
         if (!places.ring && (k == 0 || k == places.count)) return L{};
         const size_t l = places.before(k), r = k < places.count ? k : 0;
         const L q = size_of(through), given = select(through, volume[l], volume[r]);
-        return smaller(q, positive(given - q)) * half_slope(through, velocity, places, l, r);
+        const L part = smaller(q, positive(given - q)) * half_slope(through, velocity, places, l, r);
+        return beside ? select(through, beside[l], beside[r + 1]) * part : part; // what is behind a wall tells nothing
     }
     // Where there is no water nothing moves; where none has passed, what is there stays, to the bit.
     void set(size_t i, L u) const {
@@ -53,7 +54,7 @@ struct Across {
                     p_before = place_of(sweep, lines.numbers, before, lanes);
         double* free = work;
         const auto panel = [&] { return take_panel(free, n); };
-        AcrossCarriers faces{{n, sweep.ring()}, panel(), panel(), panel(), panel(), {}};
+        AcrossCarriers faces{{n, sweep.ring()}, panel(), panel(), panel(), panel(), {}, {}};
         const Panel pull = panel(), around = panel(), answers = panel();
         const auto fetch_mean = [&](size_t count, const StateNumbers& from, Panel to) {
             fetch(p_before, count, from, to);
@@ -65,13 +66,21 @@ struct Across {
         // In the mean of both lines.
         fetch_mean(n + 1, lines.moved, faces.flux);
         fetch_mean(n, lines.depth, faces.water);
-        if (lines.has_closed_faces()) {
-            const Place b = place_of(sweep, lines.bytes, line, lanes),
-                        b_before = place_of(sweep, lines.bytes, before, lanes);
-            put_openings(n, faces.opening = panel(), [&](size_t i, size_t lane) {
-                const size_t at = b.at(i, lane);
-                return lines.there(b_before.at(i, lane)) && lines.there(at) && !lines.walled(at);
-            });
+        const Place b = place_of(sweep, lines.bytes, line, lanes),
+                    b_before = place_of(sweep, lines.bytes, before, lanes);
+        if (lines.mask || lines.wall_between) {
+            faces.opening = panel();
+            for (size_t lane = 0; lane < kLines; ++lane)
+                for (size_t i = 0; i < n; ++i) {
+                    const size_t at = b.at(i, lane);
+                    const bool open = lines.there(b_before.at(i, lane)) && lines.there(at) && !lines.walled_between(at);
+                    faces.opening.first[i * kLines + lane] = open ? 1 : 0;
+                }
+        }
+        if (lines.has_closed_faces()) { // closed is what both lines have closed
+            fetch_openings(b, lines, faces.places, faces.beside = panel());
+            fetch_openings(b_before, lines, faces.places, pull);
+            for (size_t i = 0; i <= n; ++i) faces.beside.put(i, larger(faces.beside[i], pull[i]));
         }
 
         carry_line(n, sweep.ring(), faces, answers, pull, around);

@@ -52,6 +52,7 @@ struct WaterLine {
     Panel flux{}, after{}, speed{};  // results: of cells `after`, of faces flux and velocity
     Panel push{};                    // the part of a push that friction leaves, 0 at closed faces; null: all of it
     Panel pushed{};                  // scratch of carry(), where there is friction
+    Panel even{};                    // of cells: depths that slopes move with (momentum.hh)
     Panel pull{}, spare[2] = {};     // scratch
 
     Face side[2] = {};      // the faces at the ends; of a ring face 0

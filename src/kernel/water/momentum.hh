@@ -38,10 +38,11 @@ inline L half_slope(L through, const Panel& u, const Neighbours& places, size_t 
     return 0.5 * larger(smaller(across, behind), smaller(larger(across, behind), L{})); // the middle one of these and 0
 }
 
-// The depth that slopes move with: 0 where depths are not even.
+// The depth that slopes move with: 0 where depths are not even. What stands behind a wall is not looked at.
 inline L WaterLine::even_depth(size_t cell) const {
-    const L a = depth[cells().before(cell)], d = depth[cell], b = depth[cells().behind(cell)];
-    const L least = smaller(smaller(a, b), d), most = larger(larger(a, b), d);
+    const L d = depth[cell], l = select(open(cell), depth[cells().before(cell)], d);
+    const L r = select(open(cell + 1), depth[cells().behind(cell)], d);
+    const L least = smaller(smaller(l, r), d), most = larger(larger(l, r), d);
     return positive(smaller(least, (1 / (kEven - kUneven)) * (least - kUneven * most)));
 }
 
@@ -49,7 +50,7 @@ inline L WaterLine::even_depth(size_t cell) const {
 inline L WaterLine::sloped(size_t cell, L through) const {
     const size_t next = faces().behind(cell);
     const L run = courant * positive(select(through, velocity[cell], -velocity[next])); // cells
-    const L part = smaller(run, positive(L::splat(1) - run)) * even_depth(cell);
+    const L part = smaller(run, positive(L::splat(1) - run)) * even[cell];
     return smaller(part, size_of(through)) * half_slope(through, velocity, faces(), cell, next);
 }
 
@@ -62,7 +63,7 @@ struct StreamAcceleration {
     L flow_into{}; // the cell behind that face
 
     explicit StreamAcceleration(const WaterLine& of) : line(of) {
-        if (!line.sweep.advected() || line.n < 2) return;
+        if (!line.sweep.advected()) return;
         const size_t cell = line.cells().before(0);
         flow_into = flow(cell), before = through(cell);
     }
@@ -73,6 +74,7 @@ struct StreamAcceleration {
     Passed through(size_t cell) {
         const L flow_out = flow(cell + 1), flux = 0.5 * (flow_into + flow_out);
         flow_into = flow_out;
+        line.even.put(cell, line.even_depth(cell)); // for carry(), too
         const L u_l = line.velocity[cell], u_r = line.velocity[line.faces().behind(cell)];
         return {flux, select(flux, u_l, u_r), line.sloped(cell, flux)};
     }

@@ -105,10 +105,22 @@ __attribute__((noinline)) inline L put(const Place& p, size_t count, Panel from,
     return to.stored([&](auto* numbers) { return put_stored(p, count, from, numbers, least); });
 }
 
-// 1 where is_open(i, lane), else 0.
-template <class IsOpen> void put_openings(size_t count, Panel to, IsOpen is_open) {
-    for (size_t i = 0; i < count; ++i)
-        for (size_t lane = 0; lane < kLines; ++lane) to.first[i * kLines + lane] = is_open(i, lane) ? 1 : 0;
+// What lets water cross the faces of lines of cells: 1, or 0 beside cells that are not there and on walls.
+__attribute__((noinline)) inline void fetch_openings(const Place& bytes, const WaterLines& lines, Neighbours cells,
+                                                     Panel to) {
+    const size_t n = cells.count;
+    for (size_t lane = 0; lane < kLines; ++lane) {
+        size_t at = bytes.at(0, lane);
+        double* const out = to.first + lane;
+        bool before = lines.there(bytes.at(cells.before(0), lane));
+        for (size_t i = 0; i < n; ++i, at += bytes.along) {
+            const bool there = lines.there(at);
+            out[i * kLines] = before && there && !lines.walled(at) ? 1 : 0;
+            before = there;
+        }
+        if (!cells.ring) out[0] = lines.there(bytes.at(0, lane)) ? 1 : 0; // sides are no walls of a line
+        out[n * kLines] = cells.ring ? out[0] : before ? 1 : 0;
+    }
 }
 
 // work.bundle(first line, lanes) for the lines in packs [first, first + count); whether all came out finite.

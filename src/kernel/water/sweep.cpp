@@ -123,9 +123,10 @@ struct Sweep {
             return true;
         }
         if (lines.has_closed_faces())
-            fetch_openings(place_of(sweep, lines.bytes, first, lanes), line, line.opening = panel());
+            fetch_openings(place_of(sweep, lines.bytes, first, lanes), lines, line.cells(), line.opening = panel());
         if (line.opening || sweep.rubs()) line.push = panel();
         if (sweep.rubs() && sweep.advected()) line.pushed = panel();
+        if (sweep.advected()) line.even = panel();
         if (lines.force || lines.pressure) fetch_acceleration(p, line, line.acceleration = panel());
         if (sweep.manning > 0) fetch_across(p, first, lanes, line.flux, line.across = panel());
         fetch(p, n, lines.bed, line.bed);
@@ -170,15 +171,6 @@ struct Sweep {
             rest.owed = select(more, rest.owed, L{});
             depth.put(i, rest(depth[i]));
         }
-    }
-
-    // What lets water cross faces: 1, or 0 beside cells that are not there and on walls.
-    void fetch_openings(const Place& bytes, const WaterLine& line, Panel to) const {
-        put_openings(line.n + 1, to, [&](size_t i, size_t lane) {
-            const size_t l = bytes.at(line.left(i), lane), r = bytes.at(line.right(i), lane);
-            const bool inner = line.ring || (i > 0 && i < line.n);
-            return lines.there(l) && lines.there(r) && !(inner && lines.walled(r));
-        });
     }
 
     // Velocities of the other axis lie on the faces beside the line.

@@ -59,13 +59,15 @@ struct WaterLines {
     StateNumbers load, stiff; // of hulls, in cells: the head that presses [m] is load + stiff depth
     double pressure_share;    // from a difference of pressures to an acceleration
     const uint8_t *mask, *wall;
-    bool seam;          // of carry_across: line 0 lies behind the last one
-    StateNumbers moved; // out, and for carry_across: what went through faces, as depths [m]
-    double* tally;      // out: kTallies numbers per line, to which runs of its cells add
+    const uint8_t* wall_between; // of carry_across: walls between lines
+    bool seam;                   // of carry_across: line 0 lies behind the last one
+    StateNumbers moved;          // out, and for carry_across: what went through faces, as depths [m]
+    double* tally;               // out: kTallies numbers per line, to which runs of its cells add
 
     bool has_closed_faces() const { return mask || wall; }
     bool there(size_t byte) const { return !mask || mask[byte] != 0; }
     bool walled(size_t byte) const { return wall && wall[byte] != 0; }
+    bool walled_between(size_t byte) const { return wall_between && wall_between[byte] != 0; }
 };
 
 // What a line let in and out at its ends, what the limiter held back, all as depths [m]; in how many cells; and the
@@ -74,7 +76,7 @@ enum WaterTally { kIn, kOut, kHeldBack, kLimited, kParts, kTallies };
 
 // Lines that are worked on side by side, the panels of numbers that they need, and what panels have room for beside
 // their cells; two more with hulls. Tasks take packs of lines: whole lines of the cache.
-constexpr size_t kWaterLanes = 8, kWaterPanels = 15, kHullPanels = 2, kWaterRoom = 1, kWaterPack = 16;
+constexpr size_t kWaterLanes = 8, kWaterPanels = 16, kHullPanels = 2, kWaterRoom = 1, kWaterPack = 16;
 inline size_t water_packs(size_t lines) { return (lines + kWaterPack - 1) / kWaterPack; }
 
 namespace CD_ISA {
@@ -112,7 +114,7 @@ template <int N> struct Rounding {
 bool sweep_water(const WaterSweep& sweep, const WaterLines& lines, double* work, size_t first, size_t count);
 
 // How what the sweep has moved along its lines carries the velocities of the other axis, which lie on the faces between
-// lines: `velocity` and `wall` of line k are those of the face before it.
+// lines: `velocity` and `wall_between` of line k are those of the face before it.
 bool carry_across(const WaterSweep& sweep, const WaterLines& lines, double* work, size_t first, size_t count);
 
 } // namespace CD_ISA
