@@ -456,7 +456,7 @@ RULES = {
         "weight[0] = off < 0 ? -off : 0, weight[1] = 1 - fabs(off);\n    weight[2] = off > 0 ? off : 0;",
         ["physics_water_hulls"]),
     "hulls feel the slope of the water's head": (
-        HULL_PLATES, "(along[k] * across[c]));", "(0.5 * across[c]));", ["physics_water_hulls"]),
+        HULL_PLATES, "(along[k] * across[c]));", "(0 * across[c]));", ["physics_water_hulls"]),
     "what hulls press with, too": (HULL_STEP, " + (load(to) - load(from))", "", ["physics_water_hulls_glide"]),
     "where water gives way to it": (HULL_STEP, "mean(from) > 0 && mean(to) > 0 ?", "true ?", ["physics_water_hulls"]),
     "beyond a side slopes are mirrored": (HULL_PLATES, "> 0 ? -1 : 1;", "> 0 ? 1 : 1;", ["physics_water_hulls"]),
