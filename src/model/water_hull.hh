@@ -16,8 +16,9 @@
 //            sum of its plates' shares, kStiff a / cell, which is at least as stiff as the plates are together: the
 //            line's fluxes are solved for with that at once.
 //   heave    with the water held: height, pitch and roll by backward Euler, to the minimum of a convex function.
-//   drift    along x and y and round, by the slope of the energy in the sweeps; the energy by which that and the way
-//            across the surface differ is taken as drag (Hull::owed).
+//   drift    along x and y and round, by the slope of the water's head in the sweeps, which unlike that of the energy
+//            is level in still water, however a hull lies over the cells; the energy by which that and the way across
+//            the surface differ is owed (Hull::owed), and taken as drag once it is much.
 //
 // Each holds at any dt and any ratio of masses, and so does all of it. A skin that gives way
 // lets the body lie deeper than its floor on the water (settle_hulls), which is what is drawn.

@@ -19,19 +19,22 @@ template <class F> void each_hull(const Water& w, F f) {
         if (hull(w, k).mass > 0) f(k);
 }
 
-// By how much the water's surface rises across a face, in the mean of before and after a sweep. Closed ones, and the
-// scene's sides, have the same surface on both sides.
-template <class T> double rise_across(const Water& w, const T* before, Axis a, size_t i, size_t j) {
+// By how much the water's head, its surface and what hulls press with, rises across a face, in the mean of before and
+// after a sweep; beside a dry cell, which gives way to no load, the surface alone. Closed faces, and the scene's sides,
+// have the same head on both sides.
+template <class T>
+double rise_across(const Water& w, const HullWork& work, const T* before, Axis a, size_t i, size_t j) {
     const size_t k = a == kX ? i : j, n = w.cells[a];
     if (!periodic(w, a) && (k == 0 || k == n)) return 0;
     if (!crossable(w, a, i, j)) return 0;
     const size_t behind = k > 0 ? k - 1 : n - 1, ahead = k < n ? k : 0;
+    const size_t from = a == kX ? place(w, behind, j) : place(w, i, behind);
+    const size_t to = a == kX ? place(w, ahead, j) : place(w, i, ahead);
     const T *const after = numbers<T>(w.depth), *const bed = numbers<T>(w.bed);
-    const auto surface = [&](size_t cell) {
-        const size_t at = a == kX ? place(w, cell, j) : place(w, i, cell);
-        return double(bed[at]) + 0.5 * (double(before[at]) + double(after[at]));
-    };
-    return surface(ahead) - surface(behind);
+    const auto mean = [&](size_t at) { return 0.5 * (double(before[at]) + double(after[at])); };
+    const auto load = [&](size_t at) { return work.load[at] + work.stiff[at] * mean(at); };
+    const double surfaces = (double(bed[to]) + mean(to)) - (double(bed[from]) + mean(from));
+    return mean(from) > 0 && mean(to) > 0 ? surfaces + (load(to) - load(from)) : surfaces;
 }
 
 } // namespace
@@ -72,7 +75,8 @@ void feel_water(const Water& w, HullWork& work, Axis a, double theta, double dt)
                 });
             });
             each_difference(w, a, p.x, p.y, [&](size_t i, size_t j, double weight) {
-                const double here = before.stored_state([&](const auto* was) { return rise_across(w, was, a, i, j); });
+                const double here =
+                    before.stored_state([&](const auto* was) { return rise_across(w, work, was, a, i, j); });
                 slope += weight * here / w.size[a];
             });
             const double head = p.head() + theta * (kStiff * rise);
@@ -361,8 +365,8 @@ struct Mover {
         pose = to;
         for (int a : {0, 1})
             if (stops[a]) h.velocity[a] = 0;
-        // Little is paid of a small debt, all of one that reaches the credit.
-        double taken = due > 0 ? (due < credit ? due * (due / credit) : due) : 0;
+        // Nothing is paid of a debt up to half of the credit, all of one that reaches it.
+        double taken = due < credit ? positive(2 * due - credit) : due;
         if (taken > removable() + credit) taken = lose(due);
         else if (taken > 0) taken = remove(taken);
         h.owed = due > 0 ? due - taken : due < -credit ? -credit : due;

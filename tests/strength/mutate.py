@@ -61,7 +61,7 @@ EXPLAINED = [
     ("line_lanes.hh", "__builtin_prefetch", "time only"),
     ("sheet_explicit.cpp", "&& fetches", "time only"),
     ("water_hull_step.cpp", "stop = to > low ?", "the same number where they are equal"),
-    ("water_hull_step.cpp", "due < credit ? due * (due / credit) : due", "the same number where they are equal"),
+    ("water_hull_step.cpp", "due < credit ? positive(2 * due - credit) : due", "the same number where they are equal"),
     ("water_hull_step.cpp", "if (!(share > 0)) return;", "a share of 0 adds 0"),
     ("water_hull_step.cpp", "inverse_mass = 0, sum = 0", "without water nothing is given, and no sum looked at"),
     ("water_step.cpp", "finite = true;", "only the first step that is not finite counts"),

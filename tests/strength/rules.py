@@ -452,6 +452,7 @@ RULES = {
     "a hull owes a part of what it had before the push": (
         HULL_STEP, "kCredit * (had + energy);", "kCredit * (moving_energy() + energy + 0 * had);",
         ["stability_water_hulls"]),
+    "and pays from half of that on": (HULL_STEP, "(2 * due - credit)", "(due)", ["physics_water_hulls_glide"]),
     "a push that leads nowhere is not the water's": (
         HULL_STEP, "if (taken > removable() + credit) taken = lose(due);", "if (taken > removable() + credit) taken = due;",
         ["stability_water_hulls"]),
@@ -468,8 +469,10 @@ RULES = {
         "    weight[2] = 0.5 * ((0.5 + off) * (0.5 + off));",
         "weight[0] = off < 0 ? -off : 0, weight[1] = 1 - fabs(off);\n    weight[2] = off > 0 ? off : 0;",
         ["physics_water_hulls"]),
-    "hulls feel the slope of what they press": (
-        HULL_PLATES, "(along[k] * across[c]));", "(0.5 * across[c]));", ["physics_water_hulls"]),
+    "hulls feel the slope of the water's head": (
+        HULL_PLATES, "(along[k] * across[c]));", "(0 * across[c]));", ["physics_water_hulls"]),
+    "what hulls press with, too": (HULL_STEP, " + (load(to) - load(from))", "", ["physics_water_hulls_glide"]),
+    "where water gives way to it": (HULL_STEP, "mean(from) > 0 && mean(to) > 0 ?", "true ?", ["physics_water_hulls"]),
     "beyond a side slopes are mirrored": (HULL_PLATES, "> 0 ? -1 : 1;", "> 0 ? 1 : 1;", ["physics_water_hulls"]),
     "hulls stop before sides, and leave them": (HULL_STEP, "kHullGap = 1;", "kHullGap = 0;", ["physics_water_hulls"]),
     "friction holds a hull before it moves": (
