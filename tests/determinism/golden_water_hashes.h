@@ -64,13 +64,13 @@
 {12, 17, 1, {0xee10460b43ec32de, 0x4c8d715ee92b5116}}, /* everything, long steps */
 {12, 16, 7, {0x2ff6c4fee11d9903, 0x696fe6582ff5f12c}}, /* everything, long steps */
 {12, 2, 16, {0x8f01dd5ec3545d0f, 0xfe448664b1f68c6a}}, /* everything, long steps */
-{13, 13, 9, {0xc10f2419498ec1cf, 0x0c5b81818e843b98}}, /* hulls */
-{13, 1, 17, {0xefc6e6dfd02ac6c0, 0xdb8e5fc1b4daa8e6}}, /* hulls */
-{13, 17, 1, {0x1b1c6d57f7439e98, 0xb0f69705ff1e3bdd}}, /* hulls */
-{13, 16, 7, {0xb27bfe6e83cb1514, 0xa4d85c5d664f872e}}, /* hulls */
-{13, 2, 16, {0x5ea63094ce19f620, 0xb3f920b109ec706e}}, /* hulls */
-{14, 13, 9, {0xcc541b1e4d673701, 0x304655da606e6248}}, /* hulls, long steps */
-{14, 1, 17, {0x219dfa267c0f0134, 0x68602e0288c5a54b}}, /* hulls, long steps */
-{14, 17, 1, {0xe0ff8633da05f362, 0xb2729ca3af31cc81}}, /* hulls, long steps */
-{14, 16, 7, {0x544e6e051dc0c8eb, 0x6d7ebb1cb6f16735}}, /* hulls, long steps */
-{14, 2, 16, {0xac4cbaf3b6b84f17, 0xe38783e2642f3e09}}, /* hulls, long steps */
+{13, 13, 9, {0xd2762451872eb6de, 0xf9882d177e4e7078}}, /* hulls */
+{13, 1, 17, {0xf6401ccb4c14569e, 0x546ce091f8c94d03}}, /* hulls */
+{13, 17, 1, {0x4d5d08cc0ca3b6a8, 0xdcccd38e7cd8c277}}, /* hulls */
+{13, 16, 7, {0xda21706955140dee, 0xd99585a72d4d9295}}, /* hulls */
+{13, 2, 16, {0x2e20158e80d29e38, 0xc279282d5ce81625}}, /* hulls */
+{14, 13, 9, {0xf942130fa7bd874b, 0x8c2e7e3eb0695700}}, /* hulls, long steps */
+{14, 1, 17, {0x7e3f1e3c0e5bf3c0, 0xe3b7cbbdc9a0bafa}}, /* hulls, long steps */
+{14, 17, 1, {0x201a43b26c072def, 0x55825ce5e59b7f0f}}, /* hulls, long steps */
+{14, 16, 7, {0x9be0262ec3a6d56c, 0xaae86b0abee50081}}, /* hulls, long steps */
+{14, 2, 16, {0xbe6a47609b3c700f, 0xc97d20aad374b115}}, /* hulls, long steps */
