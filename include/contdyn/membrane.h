@@ -207,7 +207,7 @@ CD_API cd_status cd_membrane_get_awake(const cd_membrane* membrane, size_t* out_
  * Energy: at any dt, stiffness, masses and effort, what cd_membrane_get_energy tells rises only by the work of driven
  *    nodes, forces, pressure, wind and moving colliders. Free sheets, and free parts of torn ones, keep their momentum.
  * Stiff sheets, default effort: at 10 mass / dt^2 [N/m] they fall 2% too slowly, and stretch by 2% where two corners
- *    hold them; at 100 10%, at 1000 28% too slowly; beyond, only along with what holds or pushes them: shorten steps.
+ *    hold them; at 100 12%, at 1000 37% too slowly; beyond, only along with what holds or pushes them: shorten steps.
  * Cloth needs CD_METHOD_IMPLICIT, lambda in [1/2, 1], no matched edge, no stiffness damping, or cd_membrane_step says
  * CD_ERROR_UNSUPPORTED; cd_membrane_set_solver and _set_tolerance do not matter to it. */
 
@@ -226,7 +226,7 @@ CD_API cd_status cd_membrane_get_shear(const cd_membrane* membrane, double* out_
 
 /* What keeps cloth from crumpling: springs along u and v that are shorter than their length push by c (L - l), longer
  * ones pull by as much, c dealt out as a stiffness of mass * rate. rate [1/s^2] >= 0, default 10: springs of a flag are
- * 0.87 to 0.98 of L; of 100 0.97. It damps turning: each second a free square loses some 12 rate dt of its spin. */
+ * 0.87 to 0.98 of L; of 100 0.97. What springs do together turns without damping; folds from node to node are damped. */
 CD_API cd_status cd_membrane_set_compression(cd_membrane* membrane, double rate);
 CD_API cd_status cd_membrane_get_compression(const cd_membrane* membrane, double* out_rate);
 
