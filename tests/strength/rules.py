@@ -389,8 +389,8 @@ RULES = {
     "but not from node to node": ("cloth_springs.cpp", "L::splat(0.25)", "L{}", ["physics_cloth_size"]),
     "and what turns otherwise makes no energy": (
         CLOTH_STEP, "gained = m.cloth.compression > 0 ? m.lambda * gain() : 0;", "gained = 0;", ["stability_cloth"]),
-    "which is no room for what a step left": (
-        CLOTH_STEP, "gained > 0 ? falls + gained / share : falls", "falls + gained / share", ["physics_cloth"]),
+    "nor leaves room for it": (
+        CLOTH_STEP, "return gained > 0 ? falls +", "return share > 0 ? falls +", ["physics_cloth_motion"]),
     "springs that are nearly taut count": (
         "cloth_springs.cpp", "(excess * per_length) + L::splat(0.5), 0, 1)", "(excess * per_length), 0, 1)",
         ["physics_cloth_size"]),
