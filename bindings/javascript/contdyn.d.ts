@@ -1407,7 +1407,7 @@ export class Membrane extends Handle {
   //    nodes, forces, pressure, wind and moving colliders. Free sheets, and free parts of torn ones, keep their
   // momentum.
   // Stiff sheets, default effort: at 10 mass / dt^2 [N/m] they fall 2% too slowly, and stretch by 2% where two corners
-  //    hold them; at 100 10%, at 1000 28% too slowly; beyond, only along with what holds or pushes them: shorten steps.
+  //    hold them; at 100 12%, at 1000 37% too slowly; beyond, only along with what holds or pushes them: shorten steps.
   // Cloth needs "implicit", lambda in [1/2, 1], no matched edge, no stiffness damping, or step says
   // "errorUnsupported"; solver and _set_tolerance do not matter to it.
 
@@ -1433,7 +1433,7 @@ export class Membrane extends Handle {
    * What keeps cloth from crumpling: springs along u and v that are shorter than their length push by c (L - l), longer
    * ones pull by as much, c dealt out as a stiffness of mass * rate. rate [1/s^2] >= 0, default 10: springs of a flag
    * are
-   * 0.87 to 0.98 of L; of 100 0.97. It damps turning: each second a free square loses some 12 rate dt of its spin.
+   * 0.87 to 0.98 of L; of 100 0.97. What springs do together turns without damping; folds from node to node are damped.
    */
   get compression(): number;
   set compression(value: number);

@@ -59,6 +59,6 @@
 {9, 3, 0, {0x3d0fe91e35e3c78f, 0xf875ebadc490f80b}}, /* everything, tube */
 {9, 0, 1, {0x531346c2f77db88a, 0xdaf2406c65b1fe9c}}, /* everything, tube */
 {9, 3, 1, {0xf5289829d0c361ab, 0xf14f6bf7992a2c4e}}, /* everything, tube */
-{10, 0, 0, {0x832e0b1ba5b55cd2, 0x0b63c0c0bda8165b}}, /* sail */
-{11, 0, 0, {0xc568ba5b242db33e, 0xbb27a511f6795e08}}, /* lengths */
-{12, 0, 0, {0xf0272779186633fc, 0x3bba9b06e320353e}}, /* lengths, tube */
+{10, 0, 0, {0xe2c45022bb3002bf, 0xb8f9eb615cca934e}}, /* sail */
+{11, 0, 0, {0x387fb28579477f6f, 0x783269a6fd014ebe}}, /* lengths */
+{12, 0, 0, {0x02dcb6a546d29cfc, 0xc18dd24d1103a53e}}, /* lengths, tube */

@@ -3031,8 +3031,8 @@ namespace Contdyn
 
         /// <summary>What keeps cloth from crumpling: springs along u and v that are shorter than their length push by c
         /// (L - l), longer ones pull by as much, c dealt out as a stiffness of mass * rate. rate [1/s^2] &gt;= 0,
-        /// default 10: springs of a flag are 0.87 to 0.98 of L; of 100 0.97. It damps turning: each second a free
-        /// square loses some 12 rate dt of its spin.</summary>
+        /// default 10: springs of a flag are 0.87 to 0.98 of L; of 100 0.97. What springs do together turns without
+        /// damping; folds from node to node are damped.</summary>
         public double Compression
         {
             get

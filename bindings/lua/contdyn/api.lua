@@ -2376,7 +2376,7 @@ end
 
 -- What keeps cloth from crumpling: springs along u and v that are shorter than their length push by c (L - l), longer
 -- ones pull by as much, c dealt out as a stiffness of mass * rate. rate [1/s^2] >= 0, default 10: springs of a flag are
--- 0.87 to 0.98 of L; of 100 0.97. It damps turning: each second a free square loses some 12 rate dt of its spin.
+-- 0.87 to 0.98 of L; of 100 0.97. What springs do together turns without damping; folds from node to node are damped.
 function Membrane:set_compression(rate)
   local where = "cd_membrane_set_compression"
   rate = number_in(rate, where, "rate")
@@ -2386,7 +2386,7 @@ end
 
 -- What keeps cloth from crumpling: springs along u and v that are shorter than their length push by c (L - l), longer
 -- ones pull by as much, c dealt out as a stiffness of mass * rate. rate [1/s^2] >= 0, default 10: springs of a flag are
--- 0.87 to 0.98 of L; of 100 0.97. It damps turning: each second a free square loses some 12 rate dt of its spin.
+-- 0.87 to 0.98 of L; of 100 0.97. What springs do together turns without damping; folds from node to node are damped.
 function Membrane:get_compression()
   local where = "cd_membrane_get_compression"
   local out_rate = double_1()

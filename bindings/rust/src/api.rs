@@ -2407,16 +2407,16 @@ impl Membrane {
 
     /// What keeps cloth from crumpling: springs along u and v that are shorter than their length push by c (L - l),
     /// longer ones pull by as much, c dealt out as a stiffness of mass \* rate. rate \[1/s^2\] \>= 0, default 10:
-    /// springs of a flag are 0.87 to 0.98 of L; of 100 0.97. It damps turning: each second a free square loses some 12
-    /// rate dt of its spin.
+    /// springs of a flag are 0.87 to 0.98 of L; of 100 0.97. What springs do together turns without damping; folds from
+    /// node to node are damped.
     pub fn set_compression(&mut self, rate: f64) -> Result<()> {
         check(unsafe { sys::cd_membrane_set_compression(self.as_ptr(), rate) })
     }
 
     /// What keeps cloth from crumpling: springs along u and v that are shorter than their length push by c (L - l),
     /// longer ones pull by as much, c dealt out as a stiffness of mass \* rate. rate \[1/s^2\] \>= 0, default 10:
-    /// springs of a flag are 0.87 to 0.98 of L; of 100 0.97. It damps turning: each second a free square loses some 12
-    /// rate dt of its spin.
+    /// springs of a flag are 0.87 to 0.98 of L; of 100 0.97. What springs do together turns without damping; folds from
+    /// node to node are damped.
     pub fn get_compression(&self) -> Result<f64> {
         let mut out_rate = 0.0;
         check(unsafe { sys::cd_membrane_get_compression(self.as_ptr(), &mut out_rate) })?;
