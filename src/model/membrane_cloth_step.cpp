@@ -388,7 +388,7 @@ struct ClothStep {
                 }
             }
         wrap(w.from);
-        unfold();
+        if (m.cloth.compression > 0) unfold();
         if (!w.has_blocks()) return;
         for (int k = 0; k < 6; ++k) w.each_place([&](size_t at) { w.own[k][at] = k < 3 ? w.inertia[at] : 0; });
         if (m.cloth.along > 0 || m.cloth.across > 0) add_air(m, w, h);

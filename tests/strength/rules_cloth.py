@@ -52,7 +52,7 @@ CLOTH_RULES = {
     "what can't go the whole way goes on": (
         CLOTH_STEP, "kMoreIterations = 4;", "kMoreIterations = 0;", ["physics_cloth_size"]),
     "what crumples is pushed as the step finds it": (
-        CLOTH_STEP, "        unfold();\n", "", ["physics_cloth"]),
+        CLOTH_STEP, "compression > 0) unfold();", "compression < 0) unfold();", ["physics_cloth"]),
     "and where it turns on as it does": (
         "cloth_springs.cpp", "length / larger(root(dot(moves, moves)), length) * moves", "L{} * moves",
         ["physics_cloth_motion"]),
