@@ -176,8 +176,13 @@ void cloth_gains(const Grid& grid, const ClothSprings& springs, double dt, const
         const V way = way_of(y), goes = L::splat(dt) * way_of(w), to = way + goes;
         const L length = L::load(springs.length[along] + at);
         const Onward<kLanes> onward(expected, dt, at, next, way, length);
-        const L sides = root(dot(way, way)) + root(dot(to, to));
-        const L longer = select(sides, dot(way + to, goes) / sides, L{});
+        const L least = kLeastDirection * length, before = root(dot(way, way)), after = root(dot(to, to));
+        const L sides = before + after;
+        const auto rounded = [&](L now) { // what a spring of next to no length holds as if it were longer
+            const L shorter = positive(least - now);
+            return shorter * shorter / (2 * least);
+        };
+        const L longer = select(sides, dot(way + to, goes) / sides, L{}) + (rounded(after) - rounded(before));
         (length * (dot(onward.to, goes) / onward.now - longer) - 0.5 * dot(goes, goes)).store(out[along] + at);
     });
 }
