@@ -2375,8 +2375,9 @@ function Membrane:get_shear()
 end
 
 -- What keeps cloth from crumpling: springs along u and v that are shorter than their length push by c (L - l), longer
--- ones pull by as much, c dealt out as a stiffness of mass * rate. rate [1/s^2] >= 0, default 10: springs of a flag are
--- 0.87 to 0.98 of L; of 100 0.97. What springs do together turns without damping; folds from node to node are damped.
+-- ones pull by as much, c dealt out as a stiffness of mass * rate. rate [1/s^2] >= 0, default 10; strong wind wants
+-- more: at 8 m/s up to 1.1% of a flag folds sharply, at 100 none. It damps folds from node to node, and no other
+-- turning.
 function Membrane:set_compression(rate)
   local where = "cd_membrane_set_compression"
   rate = number_in(rate, where, "rate")
@@ -2385,8 +2386,9 @@ function Membrane:set_compression(rate)
 end
 
 -- What keeps cloth from crumpling: springs along u and v that are shorter than their length push by c (L - l), longer
--- ones pull by as much, c dealt out as a stiffness of mass * rate. rate [1/s^2] >= 0, default 10: springs of a flag are
--- 0.87 to 0.98 of L; of 100 0.97. What springs do together turns without damping; folds from node to node are damped.
+-- ones pull by as much, c dealt out as a stiffness of mass * rate. rate [1/s^2] >= 0, default 10; strong wind wants
+-- more: at 8 m/s up to 1.1% of a flag folds sharply, at 100 none. It damps folds from node to node, and no other
+-- turning.
 function Membrane:get_compression()
   local where = "cd_membrane_get_compression"
   local out_rate = double_1()
