@@ -19,7 +19,7 @@ constexpr uint64_t kMostNewton = 1000, kMostGradient = 10000; // see cd_membrane
 // Of membranes whose springs have a length: see membrane_cloth.cpp.
 struct ClothSettings : AirSettings {
     double length[2] = {};              // [m], of the sheet; 0: springs have none
-    double shear = 0, compression = 10; // [N/m], [1/s^2]
+    double shear = 0, compression = 80; // [N/m], [1/s^2]
     uint64_t newton = 3, gradient = 0;  // 0: as many as bring enough
     double thickness = 0;               // [m]
     double breaking_strain = INFINITY;

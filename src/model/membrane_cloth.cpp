@@ -66,7 +66,8 @@ ClothWork::ClothWork(const Membrane& m, const MembraneFeatures& f, Carver& coeff
     turned_moves = coefficients.plane(turned);
     part = reinterpret_cast<size_t*>(coefficients.plane(grid));
 
-    for (double** planes : {from, to, w, trial, rhs, residual, expected, direction, error, conjugate, image, answer})
+    for (double** planes :
+         {from, to, w, trial, rhs, residual, given, expected, direction, error, conjugate, image, answer})
         vector(planes, grid);
     for (double** planes : recycled) vector(planes, grid);
     vector(turned_z, turned);

@@ -36,7 +36,8 @@ struct ClothWork {
     double *from[3], *to[3];         // positions before and after the step
     double *w[3], *trial[3];         // the velocity that moves the nodes
     double *rhs[3], *residual[3];    // see ClothResidual
-    double* expected[3];             // velocities by which springs expect to turn
+    double* given[3];                // rhs without springs against crumpling
+    double* expected[3];             // velocities by which these expect to turn
     double *direction[3], *error[3]; // of Newton's method, and what is left of its system
     double *conjugate[3], *image[3]; // a conjugate direction and the matrix times it
     double *answer[3], *turned_z[3]; // of lines along v and along u

@@ -6,8 +6,8 @@
 //
 // by Newton's method, from where the last step went. psi is the energy of springs, bend, ties; contacts, friction and
 // air add what resists motion. The energy 1/2 c (|D| - L)^2 of a spring against crumpling is not convex; its part -c
-// L |D| acts by a force along the direction that the spring is expected to have at x1, which is part of b. By
-// convexity
+// L |D| acts by a force along the direction that the spring is expected to have at x1, which is part of b and follows
+// the first iterations. By convexity
 //
 //      E1 - E0 <= w . grad Phi(w) / lambda - (lambda - 1/2) |v1 - v0|_M^2 + U(w)
 //
@@ -32,6 +32,9 @@ constexpr uint64_t kLastOnes = 4;
 // the number of conjugate gradients is not given, after an iteration that brought more than `kMuch` of what all have.
 constexpr double kWholeStep = 0.9, kMuch = 0.02;
 constexpr uint64_t kMoreIterations = 4;
+// So many of Newton's iterations expect springs to go on by the velocities found so far. From there on Phi stays as it
+// is, so that what is left of its gradient goes to nothing.
+constexpr uint64_t kExpectations = 3;
 // A search along a direction, and the last scaling, evaluate the slope at most so often; a search ends where the slope is
 // this part of the first one.
 constexpr int kMostSearches = 8;
@@ -275,6 +278,7 @@ struct ClothStep {
         touched = recycles[0] = recycles[1] = false;
         for (uint64_t i = 0;; ++i) {
             touched |= CD_WITH_CONTACT && touches(w, contacts, dt);
+            if (i < kExpectations && m.cloth.compression > 0) unfold();
             find_residual(w.w, true);
             const double size = dot(w.residual, w.residual);
             if (i == 0) start = size;
@@ -339,9 +343,10 @@ struct ClothStep {
         scale(false);
     }
 
-    // What springs against crumpling do by themselves.
+    // The right side with what springs against crumpling push by where the velocities w lead.
     void unfold() const {
-        double *const *const along_u = w.direction, *const *const along_v = w.error;
+        double *const *const along_u = w.conjugate, *const *const along_v = w.error;
+        copy(w.given, w.rhs);
         wrap(w.w);
         rows([&](size_t first, size_t count, double*) {
             cloth().smooth(w.grid, w.springs(), w.w, w.expected, first, count);
@@ -388,11 +393,12 @@ struct ClothStep {
                 }
             }
         wrap(w.from);
-        if (m.cloth.compression > 0) unfold();
-        if (!w.has_blocks()) return;
-        for (int k = 0; k < 6; ++k) w.each_place([&](size_t at) { w.own[k][at] = k < 3 ? w.inertia[at] : 0; });
-        if (m.cloth.along > 0 || m.cloth.across > 0) add_air(m, w, h);
-        if (CD_WITH_CONTACT) contacts = find_contacts(m, w, now, dt);
+        if (w.has_blocks()) {
+            for (int k = 0; k < 6; ++k) w.each_place([&](size_t at) { w.own[k][at] = k < 3 ? w.inertia[at] : 0; });
+            if (m.cloth.along > 0 || m.cloth.across > 0) add_air(m, w, h);
+            if (CD_WITH_CONTACT) contacts = find_contacts(m, w, now, dt);
+        }
+        copy(w.rhs, w.given);
     }
     template <class T> void load() const {
         each_number_of_state<T>(m.position, [&](size_t k, size_t at, T& x) { w.from[k][at] = double(x); });

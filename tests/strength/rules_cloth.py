@@ -56,6 +56,9 @@ CLOTH_RULES = {
     "and where it turns on as it does": (
         "cloth_springs.cpp", "length / larger(root(dot(moves, moves)), length) * moves", "L{} * moves",
         ["physics_cloth_motion"]),
+    "and where an iteration finds that it leads": (
+        CLOTH_STEP, "kExpectations = 3;", "kExpectations = 1;", ["physics_cloth_size"]),
+    "but not for ever": (CLOTH_STEP, "kExpectations = 3;", "kExpectations = 1000;", ["physics_cloth_size"]),
     "by no more than its length": (
         "cloth_springs.cpp", "length / larger(root(dot(moves, moves)), length) * moves", "moves",
         ["stability_cloth", "physics_cloth_motion", "physics_cloth_tears", "physics_cloth", "physics_cloth_size"]),
