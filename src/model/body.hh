@@ -211,7 +211,9 @@ struct BodyChanges : Changes {
           wind{*this, b.wind, wanted.wind ? b.position.count : 0} {}
 
     // Before they are put: what there is of colliders stays.
-    void carry_over() const { colliders.carry_over(), beds.carry_over(), callbacks.carry_over(); }
+    void carry_over() const {
+        if (CD_WITH_CONTACT) colliders.carry_over(), beds.carry_over(), callbacks.carry_over();
+    }
     // A new target is the present position. New masses and winds are for the object to fill.
     void fill(Body& b) const {
         if (target.is_new()) memcpy(b.target.data, b.position.data, b.target.count);
