@@ -7,7 +7,7 @@
 namespace cd {
 
 inline const char* field_name(cd_field field) {
-    // One after the other: pointers would be relocated where the library is loaded, and rows of one length be half empty.
+    // One after the other: pointers would be relocated where the library is loaded, rows of one length half empty.
     static constexpr char names[] =
         "CD_POSITION\0CD_VELOCITY\0CD_FORCE\0CD_MASS\0CD_STIFFNESS\0CD_BEND\0CD_PIN\0CD_TARGET\0"
         "CD_STIFFNESS_U\0CD_STIFFNESS_V\0CD_MASK\0CD_DEPTH\0CD_BED\0CD_SURFACE\0CD_VELOCITY_X\0"
@@ -20,7 +20,7 @@ inline const char* field_name(cd_field field) {
     return name;
 }
 
-// What numbers a field takes, in words.
+// What numbers a field takes, in words; what ends alike is there once.
 inline const char* field_takes(cd_field field) {
     switch (field) {
     case CD_MASS:
@@ -40,10 +40,10 @@ inline const char* field_takes(cd_field field) {
     case CD_MASK:
     case CD_WALL_X:
     case CD_WALL_Y: return "0 and 1";
-    case CD_VELOCITY: return "what is finite in the object's precision, and only 0 of pinned or absent nodes";
+    case CD_VELOCITY: return "only 0 of pinned or absent nodes, else what is finite in the object's precision";
     case CD_VELOCITY_X:
-    case CD_VELOCITY_Y: return "what is finite in the object's precision, and only 0 of faces that no water can cross";
-    case CD_DEPTH: return "what is finite in the object's precision, from 0 on, and only 0 of absent cells";
+    case CD_VELOCITY_Y: return "only 0 of faces that no water can cross, else what is finite in the object's precision";
+    case CD_DEPTH: return "only 0 of absent cells, else from 0 on what is finite in the object's precision";
     case CD_BED:
     case CD_SURFACE: return "what is finite in the object's precision, and leaves depths so";
     default: return "what is finite in the object's precision";
