@@ -7,47 +7,20 @@
 namespace cd {
 
 inline const char* field_name(cd_field field) {
-    // No pointers, each of which is relocated where the library is loaded.
-    static constexpr char names[][sizeof "CD_BREAKING_STRAIN_U"] = {"CD_POSITION",
-                                                                    "CD_VELOCITY",
-                                                                    "CD_FORCE",
-                                                                    "CD_MASS",
-                                                                    "CD_STIFFNESS",
-                                                                    "CD_BEND",
-                                                                    "CD_PIN",
-                                                                    "CD_TARGET",
-                                                                    "CD_STIFFNESS_U",
-                                                                    "CD_STIFFNESS_V",
-                                                                    "CD_MASK",
-                                                                    "CD_DEPTH",
-                                                                    "CD_BED",
-                                                                    "CD_SURFACE",
-                                                                    "CD_VELOCITY_X",
-                                                                    "CD_VELOCITY_Y",
-                                                                    "CD_SOURCE",
-                                                                    "CD_PRESSURE",
-                                                                    "CD_FORCE_X",
-                                                                    "CD_FORCE_Y",
-                                                                    "CD_WALL_X",
-                                                                    "CD_WALL_Y",
-                                                                    "CD_REST_LENGTH",
-                                                                    "CD_TENSION",
-                                                                    "CD_WIND",
-                                                                    "CD_STRENGTH",
-                                                                    "CD_STRAIN",
-                                                                    "CD_REST_LENGTH_U",
-                                                                    "CD_REST_LENGTH_V",
-                                                                    "CD_TENSION_U",
-                                                                    "CD_TENSION_V",
-                                                                    "CD_STRAIN_U",
-                                                                    "CD_STRAIN_V",
-                                                                    "CD_BREAKING_STRAIN_U",
-                                                                    "CD_BREAKING_STRAIN_V",
-                                                                    "CD_REST_ANGLE"};
-    return names[field];
+    // One after the other: pointers would be relocated where the library is loaded, rows of one length half empty.
+    static constexpr char names[] =
+        "CD_POSITION\0CD_VELOCITY\0CD_FORCE\0CD_MASS\0CD_STIFFNESS\0CD_BEND\0CD_PIN\0CD_TARGET\0"
+        "CD_STIFFNESS_U\0CD_STIFFNESS_V\0CD_MASK\0CD_DEPTH\0CD_BED\0CD_SURFACE\0CD_VELOCITY_X\0"
+        "CD_VELOCITY_Y\0CD_SOURCE\0CD_PRESSURE\0CD_FORCE_X\0CD_FORCE_Y\0CD_WALL_X\0CD_WALL_Y\0"
+        "CD_REST_LENGTH\0CD_TENSION\0CD_WIND\0CD_STRENGTH\0CD_STRAIN\0CD_REST_LENGTH_U\0"
+        "CD_REST_LENGTH_V\0CD_TENSION_U\0CD_TENSION_V\0CD_STRAIN_U\0CD_STRAIN_V\0CD_BREAKING_STRAIN_U\0"
+        "CD_BREAKING_STRAIN_V\0CD_REST_ANGLE";
+    const char* name = names;
+    for (cd_field before = 0; before < field; ++name) before += *name == 0 ? 1 : 0;
+    return name;
 }
 
-// What numbers a field takes, in words.
+// What numbers a field takes, in words; what ends alike is there once.
 inline const char* field_takes(cd_field field) {
     switch (field) {
     case CD_MASS:
@@ -67,10 +40,10 @@ inline const char* field_takes(cd_field field) {
     case CD_MASK:
     case CD_WALL_X:
     case CD_WALL_Y: return "0 and 1";
-    case CD_VELOCITY: return "what is finite in the object's precision, and only 0 of pinned or absent nodes";
+    case CD_VELOCITY: return "only 0 of pinned or absent nodes, else what is finite in the object's precision";
     case CD_VELOCITY_X:
-    case CD_VELOCITY_Y: return "what is finite in the object's precision, and only 0 of faces that no water can cross";
-    case CD_DEPTH: return "what is finite in the object's precision, from 0 on, and only 0 of absent cells";
+    case CD_VELOCITY_Y: return "only 0 of faces that no water can cross, else what is finite in the object's precision";
+    case CD_DEPTH: return "only 0 of absent cells, else from 0 on what is finite in the object's precision";
     case CD_BED:
     case CD_SURFACE: return "what is finite in the object's precision, and leaves depths so";
     default: return "what is finite in the object's precision";
@@ -140,8 +113,7 @@ inline double nearest(double place, double most) { return place < 0 ? 0 : place 
 
 inline cd_status can_write(const char* function, cd_field field) {
     if (field != CD_STRAIN && (field < CD_TENSION_U || field > CD_STRAIN_V)) return CD_OK;
-    return fail(CD_ERROR_UNSUPPORTED, function, "field is %d, %s, which is read only", int(field),
-                field_name(field));
+    return fail(CD_ERROR_UNSUPPORTED, function, "field is %d, %s, which is read only", int(field), field_name(field));
 }
 
 // Part: a part of the field part.field of an object, as read and write are given it:

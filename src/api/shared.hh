@@ -266,19 +266,17 @@ template <class X, class EachNode> cd_status teleport(const char* function, X& x
     };
     bool fits = true;
     const Array<char>* const arrays[] = {&x.position, &x.velocity, &x.target, &change};
-    const auto each_array = [&](auto f) {
+    for (bool put : {false, true}) { // all or none
         for (const Array<char>* array : arrays)
-            if (*array) each_node([&](size_t at) { f(*array, at); });
-    };
-    each_array([&](const Array<char>& array, size_t at) {
-        for (size_t k = 0; k < count; ++k) fits &= fabs(moved(array, at, k)) <= most_of(x);
-    });
-    if (!fits) return fail(CD_ERROR_VALUE, function, "rotation and offset would move a number out of the finite range");
-    each_array([&](const Array<char>& array, size_t at) {
-        double to[4];
-        for (size_t k = 0; k < count; ++k) to[k] = moved(array, at, k);
-        for (size_t k = 0; k < count; ++k) set_number(x, array, at + k * stride, to[k]);
-    });
+            if (*array)
+                each_node([&](size_t at) {
+                    double to[4];
+                    for (size_t k = 0; k < count; ++k) to[k] = moved(*array, at, k), fits &= fabs(to[k]) <= most_of(x);
+                    for (size_t k = 0; put && k < count; ++k) set_number(x, *array, at + k * stride, to[k]);
+                });
+        if (!fits)
+            return fail(CD_ERROR_VALUE, function, "rotation and offset would move a number out of the finite range");
+    }
     return CD_OK;
 }
 

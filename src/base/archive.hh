@@ -55,20 +55,43 @@ template <class Number> constexpr int high_end() {
 #endif
 }
 
-// Shows a walker one number. Every NaN is shown as the same one: processors differ in the sign they give it.
-template <class Walker, class Number> void walk(Walker& walker, const Number& number) {
+// A number's bits, at the low end of a word. Every NaN is shown as the same one: processors differ in the sign they give
+// it.
+template <class Number> uint64_t bits_of(const Number& number) {
     const Number shown = number == number ? number : Number(__builtin_nan(""));
     uint64_t bits = 0;
     memcpy(&bits, &shown, sizeof shown);
-    walker.word(bits >> high_end<Number>(), int(sizeof shown));
+    return bits >> high_end<Number>();
+}
+template <class Number> void set_bits(Number& number, uint64_t bits) {
+    bits <<= high_end<Number>();
+    memcpy(&number, &bits, sizeof number);
+}
+
+// Shows a walker one number.
+template <class Walker, class Number> void walk(Walker& walker, const Number& number) {
+    walker.word(bits_of(number), int(sizeof number));
 }
 
 // Reads one number.
 template <class Number> void walk(Reader& reader, Number& number) {
     uint64_t bits;
     reader.word(bits, int(sizeof number));
-    bits <<= high_end<Number>();
-    memcpy(&number, &bits, sizeof number);
+    set_bits(number, bits);
+}
+
+// Any of them, for what is walked once: one text then counts, hashes, writes and reads it.
+struct AnyWalker {
+    void* walker;
+    void (*word)(void* walker, uint64_t& bits, int bytes);
+
+    template <class Walker> explicit AnyWalker(Walker& of)
+        : walker(&of), word([](void* w, uint64_t& bits, int bytes) { static_cast<Walker*>(w)->word(bits, bytes); }) {}
+};
+template <class Number> void walk(AnyWalker& any, Number& number) {
+    uint64_t bits = bits_of(number);
+    any.word(any.walker, bits, int(sizeof number));
+    set_bits(number, bits);
 }
 
 } // namespace cd

@@ -3,6 +3,7 @@
 
 #include <stddef.h>
 #include <stdint.h>
+#include <string.h>
 
 #include "contdyn/base.h"
 
@@ -55,5 +56,21 @@ template <class T> void release(Memory& memory, Array<T>& array) {
     release(memory, array.data, array.bytes());
     array = {};
 }
+
+// An array of whatever numbers, of `size` bytes each, for what is done alike with all: one text for all of them.
+struct AnyArray {
+    void* array;
+    size_t size;
+
+    template <class T> AnyArray(Array<T>& of) : array(&of), size(sizeof(T)) {}
+
+    // The same numbers, counted as before; all arrays look alike in memory.
+    Array<char> held() const {
+        Array<char> as_bytes;
+        memcpy(&as_bytes, array, sizeof as_bytes);
+        return as_bytes;
+    }
+    void hold(const Array<char>& as_bytes) const { memcpy(array, &as_bytes, sizeof as_bytes); }
+};
 
 } // namespace cd

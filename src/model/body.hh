@@ -189,36 +189,31 @@ inline const char* left_out(const BodyFeatures& f) {
 }
 
 // The memory that such features change.
-struct BodyChanges {
-    Change<double> mass, attach_stiffness, attach_damping, coefficients, scratch, colliders, beds, calm, loads;
-    Change<cd_distance> callbacks;
-    Change<char> force, target, wind;
+struct BodyChanges : Changes {
+    Change mass, attach_stiffness, attach_damping, coefficients, scratch, colliders, beds, callbacks, loads, calm,
+        force, target, wind;
 
     // numbers: of a field that has one per node, or one per node and strand; parts: that may sleep
     BodyChanges(Body& b, const BodyFeatures& wanted, size_t numbers, size_t parts, size_t coefficients_needed,
                 size_t scratch_needed)
-        : mass{b.node_mass, wanted.node_mass ? numbers : 0},
-          attach_stiffness{b.attach_stiffness, wanted.target ? numbers : 0},
-          attach_damping{b.attach_damping, wanted.target ? numbers : 0},
-          coefficients{b.coefficients, coefficients_needed},
-          scratch{b.scratch, scratch_needed},
-          colliders{b.colliders, wanted.colliders.count * kColliderNumbers},
-          beds{b.beds, wanted.colliders.beds},
-          calm{b.calm, wanted.sleep ? parts : 0},
-          loads{b.loads, wanted.loads ? load_numbers(wanted.colliders.count, parts) : 0},
-          callbacks{b.callbacks, wanted.colliders.callbacks > 0 ? wanted.colliders.count : 0},
-          force{b.force, wanted.force ? b.position.count : 0},
-          target{b.target, wanted.target ? b.position.count : 0},
-          wind{b.wind, wanted.wind ? b.position.count : 0} {}
+        : mass{*this, b.node_mass, wanted.node_mass ? numbers : 0},
+          attach_stiffness{*this, b.attach_stiffness, wanted.target ? numbers : 0},
+          attach_damping{*this, b.attach_damping, wanted.target ? numbers : 0},
+          coefficients{*this, b.coefficients, coefficients_needed},
+          scratch{*this, b.scratch, scratch_needed},
+          colliders{*this, b.colliders, wanted.colliders.count * kColliderNumbers},
+          beds{*this, b.beds, wanted.colliders.beds},
+          callbacks{*this, b.callbacks, wanted.colliders.callbacks > 0 ? wanted.colliders.count : 0},
+          loads{*this, b.loads, wanted.loads ? load_numbers(wanted.colliders.count, parts) : 0},
+          calm{*this, b.calm, wanted.sleep ? parts : 0},
+          force{*this, b.force, wanted.force ? b.position.count : 0},
+          target{*this, b.target, wanted.target ? b.position.count : 0},
+          wind{*this, b.wind, wanted.wind ? b.position.count : 0} {}
 
-    template <class F> bool all(F f) {
-        constexpr bool air = CD_WITH_ROPE || CD_WITH_CLOTH;
-        return f(mass) && f(attach_stiffness) && f(attach_damping) && f(coefficients) && f(scratch) &&
-               (!(air && CD_WITH_CONTACT) || (f(colliders) && f(beds) && f(callbacks) && f(loads))) &&
-               (!CD_WITH_SLEEP || f(calm)) && f(force) && f(target) && (!air || f(wind));
-    }
     // Before they are put: what there is of colliders stays.
-    void carry_over() const { colliders.carry_over(), beds.carry_over(), callbacks.carry_over(); }
+    void carry_over() const {
+        if (CD_WITH_CONTACT) colliders.carry_over(), beds.carry_over(), callbacks.carry_over();
+    }
     // A new target is the present position. New masses and winds are for the object to fill.
     void fill(Body& b) const {
         if (target.is_new()) memcpy(b.target.data, b.position.data, b.target.count);

@@ -106,26 +106,22 @@ bool set_features(Chain& c, const Features& wanted) {
     const size_t springs = c.springs + (wanted.ring ? 1 : 0);
     const size_t own = wanted.length ? c.strands : 1;
     BodyChanges body(c, wanted, c.nodes * own, own, needs.coefficients, needs.scratch);
-    Change<uint8_t> pin{c.pin, c.nodes * own};
-    Change<double> stiffness{c.spring_stiffness, wanted.spring_stiffness ? springs * own : 0};
-    Change<double> bend{c.node_bend, wanted.node_bend ? c.nodes * own : 0};
-    Change<double> length{c.spring_length, wanted.spring_length ? springs * own : 0};
-    Change<double> tension{c.tension, wanted.length ? springs * c.strands : 0};
-    Change<double> strength{c.spring_strength, wanted.spring_strength ? springs * own : 0};
-    Change<double> angle{c.node_angle, wanted.node_angle ? c.nodes * own : 0};
-    Change<double> ring_response{c.ring_response, needs.ring_response};
+    Change pin{body, c.pin, c.nodes * own};
+    Change stiffness{body, c.spring_stiffness, wanted.spring_stiffness ? springs * own : 0};
+    Change bend{body, c.node_bend, wanted.node_bend ? c.nodes * own : 0};
+    Change ring_response{body, c.ring_response, needs.ring_response};
+    Change length{body, c.spring_length, wanted.spring_length ? springs * own : 0};
+    Change tension{body, c.tension, wanted.length ? springs * c.strands : 0};
+    Change strength{body, c.spring_strength, wanted.spring_strength ? springs * own : 0};
+    Change angle{body, c.node_angle, wanted.node_angle ? c.nodes * own : 0};
 
-    const auto all = [&](auto f) {
-        return body.all(f) && f(pin) && f(stiffness) && (!CD_WITH_BEND || (f(bend) && f(ring_response))) &&
-               (!CD_WITH_ROPE || (f(length) && f(tension) && f(strength) && f(angle)));
-    };
-    if (wanted.method == c.method && wanted.ring == (c.ring != 0) && keep_all(all)) return true;
-    if (!take_all(c.memory, all)) return false;
+    if (wanted.method == c.method && wanted.ring == (c.ring != 0) && body.keep_all()) return true;
+    if (!body.take_all(c.memory)) return false;
     pin.spread(c.nodes), body.attach_stiffness.spread(c.nodes), body.attach_damping.spread(c.nodes);
     const bool has_mass = body.mass.spread(c.nodes), has_bend = bend.spread(c.nodes);
     const bool has_stiffness = wanted.ring == (c.ring != 0) && stiffness.spread(springs);
     body.carry_over();
-    put_all(c.memory, all);
+    body.put_all(c.memory);
     c.ring = wanted.ring;
     c.method = wanted.method;
     if (!has_mass) fill_uniform(c, CD_MASS);

@@ -54,7 +54,7 @@ struct ChainKeep {
                 (s.fields & kAngles) != 0};
     }
 
-    template <class W> static void walk_settings(W& w, Settings& s) {
+    static void walk_settings(AnyWalker& w, Settings& s) {
         walk_body<ChainKeep>(w, s);
         RopeSettings& rope = s.own.rope;
         if (s.fields & kOfRopes)
@@ -65,8 +65,8 @@ struct ChainKeep {
         if (s.fields & kOfShapes) walk(w, s.beds), walk(w, s.callbacks);
         if (s.fields & kOfAngle) walk(w, rope.angle);
     }
-    template <class W> static void walk_choices(W& w, ChainSettings& s) { walk(w, s.ring); }
-    template <class W> static void walk_numbers(W& w, ChainSettings& s) { walk(w, s.stiffness), walk(w, s.bend); }
+    static void walk_choices(AnyWalker& w, ChainSettings& s) { walk(w, s.ring); }
+    static void walk_numbers(AnyWalker& w, ChainSettings& s) { walk(w, s.stiffness), walk(w, s.bend); }
 
     static bool valid(const Chain& c, const Settings& s) {
         const uint32_t optional =

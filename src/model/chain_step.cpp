@@ -98,7 +98,7 @@ struct GainRows {
         if (attach) attach[at] = of_tie;
     }
     // Of all nodes, when nothing resists them but what is their own.
-    template <class Place> void set_all(const StageSystem& s, Place place) {
+    [[gnu::noinline]] void set_all(const StageSystem& s, PlacesInTurn place) {
         double ground = 0;
         for (size_t i = 0; i < s.c.nodes; ++i) {
             const bool alike = s.repeats(i);
@@ -111,6 +111,16 @@ struct GainRows {
 private:
     double mass = 0, dragging = 0, tie = 0; // of the last node
     double of_mass = 0, of_drag = 0, of_force = 0, of_tie = 0;
+};
+
+// Gains, as factorizations of springs tell them.
+struct GainSetter {
+    GainRows& gains;
+    const StageSystem& system;
+
+    void operator()(size_t i, double grounded, size_t at, bool repeated) const {
+        gains.set(system, i, grounded, at, repeated);
+    }
 };
 
 // What to solve for, see Stage::of_change. Springs alone are better solved for w even where they are soft.
@@ -199,9 +209,7 @@ struct SpringStep {
         double* const closing = rows.take(bool(c.spring_stiffness));
         if (refactor) {
             const StageSystem system{c, stage_share(c, dt)};
-            factor_spring_line(c.nodes, system, carry, pull, [&](size_t i, double grounded, bool repeated) {
-                gains.set(system, i, grounded, i, repeated);
-            });
+            factor_spring_line(c.nodes, system, PlacesInTurn(c.nodes), carry, pull, GainSetter{gains, system});
             if (closing) set_closing(c, closing);
         }
         coefficients = {carry, pull, c.has_welds ? closing : nullptr, gains.gains()};
@@ -230,9 +238,7 @@ struct SegmentStep {
                                   rows.take(), rows.take(kSegments), rows.take(kSegments)};
         if (refactor) {
             const StageSystem system{c, stage_share(c, dt)};
-            factor_segment_line(c.nodes, system, segment, [&](size_t i, double grounded, size_t at, bool repeated) {
-                gains.set(system, i, grounded, at, repeated);
-            });
+            factor_segment_line(c.nodes, system, segment, GainSetter{gains, system});
         }
         coefficients = {segment.carry, segment.pull, segment.share, segment.reach,
                         segment.reply, segment.pass, gains.gains()};
@@ -274,8 +280,8 @@ struct RodStep {
         double *const has_bend = rows.take(), *const closing = rows.take(bool(c.spring_stiffness));
         if (refactor) {
             const StageSystem system{c, stage_share(c, dt)};
-            factor_rod_line(c.nodes, system, rod);
-            gains.set_all(system, InOrder());
+            factor_rod_line(c.nodes, system, rod, PlacesInTurn(c.nodes));
+            gains.set_all(system, PlacesInTurn(c.nodes));
             for (size_t i = 0; i < c.nodes; ++i)
                 has_bend[i] = system.repeats(i) ? has_bend[i - 1] : bend_of(c, i) > 0 ? 1 : 0;
             if (closing) set_closing(c, closing);
@@ -314,9 +320,8 @@ struct SegmentRodStep {
         if (refactor) {
             const StageSystem system{c, stage_share(c, dt)};
             const Segments segments(c.nodes);
-            PlacesInTurn place{segments};
             factor_segment_rod(c.nodes, system, segment);
-            gains.set_all(system, place);
+            gains.set_all(system, PlacesInTurn(segments));
             close_ring(c, system, segment.rod, stages.stage[0].closing_rate, &segments);
         }
         const RodRows& rod = segment.rod;

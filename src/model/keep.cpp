@@ -18,6 +18,13 @@ static uint64_t checksum(const unsigned char* bytes, size_t size) {
     return hasher.state;
 }
 
+void walk_shape(AnyWalker w, Shape& s) {
+    walk(w, s.sizes[0]), walk(w, s.sizes[1]), walk(w, s.components), walk(w, s.precision);
+}
+void walk_air(AnyWalker& w, AirSettings& s) {
+    walk(w, s.along), walk(w, s.across), walk(w, s.wind[0]), walk(w, s.wind[1]), walk(w, s.wind[2]);
+}
+
 void write_header(const Kind& kind, unsigned char* bytes, size_t size) {
     Writer header{bytes};
     walk(header, kMagic), walk(header, kFormat), walk(header, kind.number);
@@ -52,7 +59,7 @@ cd_status read_header(const char* function, const Kind& kind, Reader& reader, si
 cd_status read_shape(const char* function, const unsigned char* bytes, size_t size, uint32_t& number, Shape& shape) {
     Reader reader{bytes, bytes + size};
     if (const cd_status status = read_number(function, reader, size, number)) return status;
-    walk_shape(reader, shape);
+    walk_shape(AnyWalker(reader), shape);
     bool good = reader.whole && number >= CD_KIND_CHAIN && number <= CD_KIND_WATER;
     good &= shape.precision == CD_FLOAT32 || shape.precision == CD_FLOAT64;
     good &= shape.sizes[0] <= SIZE_MAX && shape.sizes[1] <= SIZE_MAX && shape.components <= SIZE_MAX;

@@ -51,9 +51,7 @@ cd_status read_shape(const char* function, const unsigned char* bytes, size_t si
 cd_status shapes_differ(const char* function, const Kind& kind, const char* source, const Shape& from,
                         const Shape& here);
 
-template <class W> void walk_shape(W& w, Shape& s) {
-    walk(w, s.sizes[0]), walk(w, s.sizes[1]), walk(w, s.components), walk(w, s.precision);
-}
+void walk_shape(AnyWalker w, Shape& s);
 
 // One field: its numbers, without the padding of the state's rows, and the bytes they take.
 template <class W, class X, class T> void walk_field(W& w, const X&, const Array<T>& array) {
@@ -67,7 +65,7 @@ template <class X> size_t field_size(const X& x, const Array<char>& array) {
     return array ? layout_of(x).rows * layout_of(x).width * number_size(x) : 0;
 }
 
-template <class K, class W> void walk_head(W& w, const typename K::Object& x) {
+template <class K> void walk_head(AnyWalker w, const typename K::Object& x) {
     Shape shape = K::shape_of(x);
     typename K::Settings settings = K::settings_of(x);
     walk_shape(w, shape);
@@ -79,14 +77,14 @@ template <class W, class X> void walk_fields(W& w, const X& x) {
 
 template <class K> uint64_t hash_object(const typename K::Object& x) {
     Hasher hasher;
-    walk_head<K>(hasher, x);
+    walk_head<K>(AnyWalker(hasher), x);
     walk_fields(hasher, x);
     return hasher.state;
 }
 
 template <class K> size_t saved_size(const typename K::Object& x) {
     Counter head;
-    walk_head<K>(head, x);
+    walk_head<K>(AnyWalker(head), x);
     size_t fields = 0;
     K::Object::each_field([&](const auto& array) { fields += field_size(x, array); }, x);
     return kHeader + head.size + fields;
@@ -94,7 +92,7 @@ template <class K> size_t saved_size(const typename K::Object& x) {
 
 template <class K> void save_object(const typename K::Object& x, unsigned char* out) {
     Writer body{out + kHeader};
-    walk_head<K>(body, x);
+    walk_head<K>(AnyWalker(body), x);
     walk_fields(body, x);
     write_header(K::kind, out, size_t(body.to - out));
 }
@@ -108,11 +106,12 @@ cd_status load_object(const char* function, typename K::Object& x, const unsigne
     if (const cd_status status = read_header(function, K::kind, reader, size)) return status;
     Shape shape{};
     typename K::Settings settings{};
-    walk_shape(reader, shape);
+    AnyWalker head(reader);
+    walk_shape(head, shape);
     if (!reader.whole) return fail(CD_ERROR_FORMAT, function, "size is %zu, too few for a saved state", size);
     if (!(shape == K::shape_of(x)))
         return shapes_differ(function, K::kind, "the object in bytes", shape, K::shape_of(x));
-    K::walk_settings(reader, settings);
+    K::walk_settings(head, settings);
     bool valid = reader.whole && K::valid(x, settings);
     const auto wanted = taken_over(x, K::features_of(settings));
     const char* const part = valid ? left_out(wanted) : nullptr;
@@ -197,7 +196,7 @@ struct KeptBody {
 // Own: what an object has beyond that. K::walk_choices and K::walk_numbers show it.
 template <class Own> struct KeptSettings : KeptBody { Own own; };
 
-template <class K, class W> void walk_body(W& w, typename K::Settings& s) {
+template <class K> void walk_body(AnyWalker& w, typename K::Settings& s) {
     BodySettings& b = s.body;
     walk(w, b.method), walk(w, b.mass_rule);
     K::walk_choices(w, s.own);
@@ -213,9 +212,7 @@ KeptBody keep_body(const Body& b);
 bool valid_body(const KeptBody& s);
 BodyFeatures features_of_body(const KeptBody& s, bool bend, const AirSettings& air);
 
-template <class W> void walk_air(W& w, AirSettings& s) {
-    walk(w, s.along), walk(w, s.across), walk(w, s.wind[0]), walk(w, s.wind[1]), walk(w, s.wind[2]);
-}
+void walk_air(AnyWalker& w, AirSettings& s);
 // Of ropes and cloth: what is around them.
 bool valid_air(const Body& b, const AirSettings& air);
 bool valid_contacts(const KeptBody& s, double thickness);

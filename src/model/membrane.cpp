@@ -171,26 +171,23 @@ bool set_features(Membrane& m, const MembraneFeatures& wanted) {
     MembraneNeeds needs;
     if (!needs_of(m, wanted, needs)) return false;
     BodyChanges body(m, wanted, m.nodes, 1, needs.coefficients, needs.scratch);
-    Change<double> along_u{m.spring_stiffness[kU], wanted.spring_stiffness[kU] ? m.nodes : 0};
-    Change<double> along_v{m.spring_stiffness[kV], wanted.spring_stiffness[kV] ? m.nodes : 0};
-    Change<double> length_u{m.spring_length[kU], wanted.spring_length[kU] ? m.nodes : 0};
-    Change<double> length_v{m.spring_length[kV], wanted.spring_length[kV] ? m.nodes : 0};
-    Change<double> breaking_u{m.breaking_strain[kU], wanted.breaking_strain[kU] ? m.nodes : 0};
-    Change<double> breaking_v{m.breaking_strain[kV], wanted.breaking_strain[kV] ? m.nodes : 0};
-    Change<double> pressed{m.pressed, wanted.pressure ? m.components * m.plane : 0};
-    Change<char> change{m.change, wanted.cloth ? m.velocity.count : 0};
-    Change<uint8_t> pin{m.pin, wanted.pin ? m.nodes : 0}, mask{m.mask, wanted.mask ? m.nodes : 0};
+    Change along_u{body, m.spring_stiffness[kU], wanted.spring_stiffness[kU] ? m.nodes : 0};
+    Change along_v{body, m.spring_stiffness[kV], wanted.spring_stiffness[kV] ? m.nodes : 0};
+    Change length_u{body, m.spring_length[kU], wanted.spring_length[kU] ? m.nodes : 0};
+    Change length_v{body, m.spring_length[kV], wanted.spring_length[kV] ? m.nodes : 0};
+    Change breaking_u{body, m.breaking_strain[kU], wanted.breaking_strain[kU] ? m.nodes : 0};
+    Change breaking_v{body, m.breaking_strain[kV], wanted.breaking_strain[kV] ? m.nodes : 0};
+    Change pressed{body, m.pressed, wanted.pressure ? m.components * m.plane : 0};
+    Change change{body, m.change, wanted.cloth ? m.velocity.count : 0};
+    Change pin{body, m.pin, wanted.pin ? m.nodes : 0}, mask{body, m.mask, wanted.mask ? m.nodes : 0};
 
-    const auto all = [&](auto f) {
-        return body.all(f) && f(along_u) && f(along_v) && f(length_u) && f(length_v) && f(breaking_u) &&
-               f(breaking_v) && f(pressed) && f(change) && f(pin) && f(mask);
-    };
     const bool same_ring = wanted.ring[kU] == (m.ring[kU] != 0) && wanted.ring[kV] == (m.ring[kV] != 0);
     const bool same_edges = memcmp(wanted.edge, m.edge, sizeof m.edge) == 0, same_pin = pin.keep();
-    if (wanted.method == m.method && wanted.solver == m.solver && same_ring && same_edges && keep_all(all)) return true;
-    if (!take_all(m.memory, all)) return false;
+    if (wanted.method == m.method && wanted.solver == m.solver && same_ring && same_edges && body.keep_all())
+        return true;
+    if (!body.take_all(m.memory)) return false;
     body.carry_over();
-    put_all(m.memory, all);
+    body.put_all(m.memory);
     m.method = wanted.method;
     m.solver = wanted.solver;
     for (Direction d : {kU, kV}) m.ring[d] = wanted.ring[d];

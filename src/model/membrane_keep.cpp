@@ -60,7 +60,7 @@ struct MembraneKeep {
         return f;
     }
 
-    template <class W> static void walk_settings(W& w, Settings& s) {
+    static void walk_settings(AnyWalker& w, Settings& s) {
         walk_body<MembraneKeep>(w, s);
         if (!(s.fields & kOfCloth)) return;
         ClothSettings& cloth = s.own.cloth;
@@ -70,11 +70,11 @@ struct MembraneKeep {
         if (s.fields & kOfShapes) walk(w, s.beds), walk(w, s.callbacks);
         if (s.fields & kOfBreaking) walk(w, cloth.breaking_strain);
     }
-    template <class W> static void walk_choices(W& w, MembraneSettings& s) {
+    static void walk_choices(AnyWalker& w, MembraneSettings& s) {
         walk(w, s.solver), walk(w, s.ring[kU]), walk(w, s.ring[kV]);
         for (cd_node& kind : s.edge) walk(w, kind);
     }
-    template <class W> static void walk_numbers(W& w, MembraneSettings& s) {
+    static void walk_numbers(AnyWalker& w, MembraneSettings& s) {
         walk(w, s.stiffness[kU]), walk(w, s.stiffness[kV]), walk(w, s.bend), walk(w, s.pressure), walk(w, s.tolerance);
         uint64_t most = s.most_iterations;
         walk(w, most);

@@ -49,44 +49,6 @@ double moving_depth(const Water& w, Axis a, size_t i, size_t j) {
 
 // ---- memory ---------------------------------------------------------------------------------------------------------
 
-namespace {
-
-// The memory that features change.
-struct WaterChanges {
-    Change<char> depth, bed, velocity_x, velocity_y, source, pressure, force_x, force_y;
-    Change<uint8_t> mask, wall_x, wall_y;
-    Change<double> hulls, scratch;
-    Change<TileStir> stir;
-    Change<uint8_t> marks;
-
-    WaterChanges(Water& w, const WaterFeatures& wanted, size_t scratch_needed)
-        : WaterChanges(w, wanted, scratch_needed, w.plane * number_size(w), (w.cells[kX] + 1) * (w.cells[kY] + 1)) {}
-
-    WaterChanges(Water& w, const WaterFeatures& wanted, size_t scratch_needed, size_t state, size_t bytes)
-        : depth{w.depth, state},
-          bed{w.bed, state},
-          velocity_x{w.velocity[kX], state},
-          velocity_y{w.velocity[kY], state},
-          source{w.source, wanted.source ? state : 0},
-          pressure{w.pressure, wanted.pressure ? state : 0},
-          force_x{w.force[kX], wanted.force[kX] ? state : 0},
-          force_y{w.force[kY], wanted.force[kY] ? state : 0},
-          mask{w.mask, wanted.mask ? bytes : 0},
-          wall_x{w.wall[kX], wanted.wall[kX] ? bytes : 0},
-          wall_y{w.wall[kY], wanted.wall[kY] ? bytes : 0},
-          hulls{w.hulls, wanted.hulls.count * wanted.hulls.numbers()},
-          scratch{w.scratch, scratch_needed},
-          stir{w.tiles.stir, wanted.sleep ? w.tiles.size() : 0},
-          marks{w.tiles.marks, wanted.sleep ? w.tiles.size() : 0} {}
-
-    template <class F> bool all(F f) {
-        return f(depth) && f(bed) && f(velocity_x) && f(velocity_y) && f(source) && f(pressure) && f(force_x) &&
-               f(force_y) && f(mask) && f(wall_x) && f(wall_y) && f(hulls) && f(scratch) && f(stir) && f(marks);
-    }
-};
-
-} // namespace
-
 WaterFeatures features(const Water& w) {
     return {w.method,
             w.momentum,
@@ -103,17 +65,32 @@ WaterFeatures features(const Water& w) {
 bool set_features(Water& w, const WaterFeatures& wanted) {
     size_t scratch;
     if (!needs_of(w, wanted, scratch)) return false;
-    WaterChanges changes(w, wanted, scratch);
-    const auto all = [&](auto f) { return changes.all(f); };
+    const size_t state = w.plane * number_size(w), bytes = (w.cells[kX] + 1) * (w.cells[kY] + 1);
+    Changes all;
+    Change mask{all, w.mask, wanted.mask ? bytes : 0}, hulls{all, w.hulls, wanted.hulls.count * wanted.hulls.numbers()};
+    Change others[] = {{all, w.depth, state},
+                       {all, w.bed, state},
+                       {all, w.velocity[kX], state},
+                       {all, w.velocity[kY], state},
+                       {all, w.source, wanted.source ? state : 0},
+                       {all, w.pressure, wanted.pressure ? state : 0},
+                       {all, w.force[kX], wanted.force[kX] ? state : 0},
+                       {all, w.force[kY], wanted.force[kY] ? state : 0},
+                       {all, w.wall[kX], wanted.wall[kX] ? bytes : 0},
+                       {all, w.wall[kY], wanted.wall[kY] ? bytes : 0},
+                       {all, w.scratch, scratch},
+                       {all, w.tiles.stir, wanted.sleep ? w.tiles.size() : 0},
+                       {all, w.tiles.marks, wanted.sleep ? w.tiles.size() : 0}};
+    (void)others; // `all` knows them
     const bool same_hulls = wanted.hulls.along == w.hull_shape.along && wanted.hulls.across == w.hull_shape.across;
-    if (wanted.method == w.method && wanted.momentum == w.momentum && same_hulls && keep_all(all)) return true;
-    if (!take_all(w.memory, all)) return false;
-    if (wanted.hulls.numbers() == w.hull_shape.numbers()) changes.hulls.carry_over();
-    put_all(w.memory, all);
+    if (wanted.method == w.method && wanted.momentum == w.momentum && same_hulls && all.keep_all()) return true;
+    if (!all.take_all(w.memory)) return false;
+    if (wanted.hulls.numbers() == w.hull_shape.numbers()) hulls.carry_over();
+    all.put_all(w.memory);
     w.method = wanted.method;
     w.momentum = wanted.momentum;
     w.hull_shape = wanted.hulls;
-    if (changes.mask.is_new()) memset(w.mask.data, 1, w.mask.bytes());
+    if (mask.is_new()) memset(w.mask.data, 1, w.mask.bytes());
     w.prepared_dt = 0;
     return true;
 }

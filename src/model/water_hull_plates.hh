@@ -115,7 +115,7 @@ inline Around<2> cells_between(const Water& w, double x, double y) {
 // Among the faces of an axis.
 inline Around<2> faces_around(const Water& w, Axis a, double x, double y) {
     Around<2> out{};
-    double along[2], across[2];
+    double along[2] = {}, across[2];
     if (between(x, w.size[kX], a == kX ? 0 : 0.5, w.cells[kX], faces_along(w, a, kX), periodic(w, kX), out.i, along) &&
         between(y, w.size[kY], a == kY ? 0 : 0.5, w.cells[kY], faces_along(w, a, kY), periodic(w, kY), out.j, across))
         weigh(out, along, across, true, [](size_t, size_t) { return true; });

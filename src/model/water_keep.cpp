@@ -143,7 +143,7 @@ struct WaterKeep {
                 s.own.sleep > 0};
     }
 
-    template <class W> static void walk_settings(W& w, Settings& s) {
+    static void walk_settings(AnyWalker& w, Settings& s) {
         WaterSettings& o = s.own;
         walk(w, o.size[kX]), walk(w, o.size[kY]);
         walk(w, o.method), walk(w, o.momentum), walk(w, o.bed_rule), walk(w, o.first);

@@ -105,17 +105,6 @@ struct Stepper {
         return finite;
     }
 
-    // body(where to work, first pack, count) for all packs of lines, which says whether all came out finite.
-    template <class Body> void in_tasks(Axis a, size_t lines, const Body& body) {
-        const size_t packs = water_packs(lines), tasks = work.tasks[a] < packs ? work.tasks[a] : packs;
-        auto task = [&](size_t t) {
-            const size_t first = packs * t / tasks, end = packs * (t + 1) / tasks;
-            if (!body(work.task + t * work.per_task, first, end - first))
-                __atomic_store_n(&finite, false, __ATOMIC_RELAXED);
-        };
-        parallel_for(w.parallel, tasks, task);
-    }
-
     void sweep_under_hulls(Axis a, bool first) {
         if (!CD_WITH_HULL || w.hull_shape.count == 0) return sweep(a);
         if constexpr (CD_WITH_HULL) {
@@ -133,37 +122,37 @@ struct Stepper {
         if (along.cells == 1 && along.closed() && !along.ring()) return; // nothing moves
         WaterLines lines = lines_along(a);
         memset(lines.tally, 0, lines.lines * kTallies * sizeof(double));
-        in_runs(a, along, [&](const WaterSweep& run, double* place, size_t first, size_t count) {
-            return kernels().sweep(run, lines, place, first, count);
-        });
+        in_runs(a, along, lines, kernels().sweep);
         count_up(lines.lines);
         if (!CD_WITH_ADVECTED || !carries(a)) return;
         // It carries the velocities across it, too, which lie on the faces between the lines.
         lines.velocity = state_of(w, w.velocity[other(a)]), lines.wall_between = w.wall[other(a)].data;
         lines.seam = all_awake(w) && periodic(w, other(a));
-        in_runs(a, along, [&](const WaterSweep& run, double* place, size_t first, size_t count) {
-            return kernels().carry_across(run, lines, place, first, count);
-        });
+        in_runs(a, along, lines, kernels().carry_across);
         for (size_t i = 0; lines.seam && i < along.cells; ++i) // the faces 0 and n are one
             lines.velocity.put(i * stride(a) + lines.lines * stride(other(a)), lines.velocity[i * stride(a)]);
     }
 
-    // body(sweep, where to work, first pack, count) for all that is awake: each run of awake tiles is a line of its
-    // own, with a wall where it meets tiles that sleep.
-    template <class Body> void in_runs(Axis a, const WaterSweep& along, const Body& body) {
-        in_tasks(a, lines_of(w, a), [&](double* place, size_t first, size_t count) {
-            if (all_awake(w)) return body(along, place, first, count);
+    // A pass over packs of lines, both kinds of which have the same arguments, of all that is awake: each run of awake
+    // tiles is a line of its own, with a wall where it meets tiles that sleep.
+    void in_runs(Axis a, const WaterSweep& along, const WaterLines& lines, decltype(WaterKernels::sweep) pass) {
+        const size_t packs = water_packs(lines_of(w, a)), tasks = work.tasks[a] < packs ? work.tasks[a] : packs;
+        auto task = [&](size_t t) {
+            const size_t first = packs * t / tasks, end = packs * (t + 1) / tasks;
+            double* const place = work.task + t * work.per_task;
             bool good = true;
-            for (size_t pack = first; pack < first + count; ++pack)
-                w.tiles.each_run(a, pack, along.cells, [&](size_t from, size_t end) {
+            if (all_awake(w)) good = pass(along, lines, place, first, end - first);
+            for (size_t pack = first; pack < end && !all_awake(w); ++pack)
+                w.tiles.each_run(a, pack, along.cells, [&](size_t from, size_t to) {
                     WaterSweep run = along;
-                    run.first = from, run.cells = end - from;
+                    run.first = from, run.cells = to - from;
                     if (from > 0) run.end[0] = {End::kWall, 0, 0, 0, 0};
-                    if (end < along.cells) run.end[1] = {End::kWall, 0, 0, 0, 0};
-                    good &= body(run, place, pack, 1);
+                    if (to < along.cells) run.end[1] = {End::kWall, 0, 0, 0, 0};
+                    good &= pass(run, lines, place, pack, 1);
                 });
-            return good;
-        });
+            if (!good) __atomic_store_n(&finite, false, __ATOMIC_RELAXED);
+        };
+        parallel_for(w.parallel, tasks, task);
     }
 
     WaterSweep sweep_along(Axis a) const {

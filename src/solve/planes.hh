@@ -2,7 +2,7 @@
 #pragma once
 
 #include "base/memory.hh"
-#include "base/parallel.hh"
+#include "contdyn/base.h"
 #include "kernel/sheet.hh"
 
 namespace cd {
@@ -55,15 +55,18 @@ struct Parts {
     }
     size_t count() const { return (lines + per_part - 1) / per_part; }
 
-    // body(number, first, count) for each, or for all lines at once where there are no threads
-    template <class Body> void each(const cd_parallel& parallel, const Body& body) const {
-        if (!parallel.run || lines <= per_part) return body(size_t(0), size_t(0), lines);
-        auto part = [&](size_t i) {
-            const size_t first = i * per_part;
-            body(i, first, lines - first < per_part ? lines - first : per_part);
-        };
-        parallel_for(parallel, count(), part);
-    }
+    // A body for parts of lines, behind a pointer: there is one text of it, and one of what goes through the parts.
+    struct Body {
+        const void* function;
+        void (*call)(const void* function, size_t number, size_t first, size_t count);
+
+        template <class F> Body(const F& f)
+            : function(&f), call([](const void* of, size_t number, size_t first, size_t count) {
+                  (*static_cast<const F*>(of))(number, first, count);
+              }) {}
+    };
+    // body(number, first, count) for each, or for all lines at once where there are no threads (planes.cpp)
+    void each(const cd_parallel& parallel, const Body& body) const;
 };
 
 // body(first, count) for parts of [0, lines), each line `length` numbers long.

@@ -27,15 +27,19 @@ struct SegmentRows { // one number per node, where Segments says
     double *reply, *pass; // one per segment
 };
 
-// The places of nodes that are asked for in turn.
+// The places of nodes that are asked for in turn: as Segments says, or in the nodes' order, as if all were the head. One
+// text of each factorization serves both.
 struct PlacesInTurn {
-    const Segments segments;
+    const size_t length, head;
     size_t k = 0, j = 0; // the segment, and the node in it, that come next
 
+    explicit PlacesInTurn(const Segments& segments) : length(segments.length), head(segments.head) {}
+    explicit PlacesInTurn(size_t nodes) : length(0), head(nodes) {}
+
     size_t operator()(size_t node) {
-        if (node < segments.head) return segments.place(node);
+        if (node < head) return kSegments * length + node;
         const size_t at = kSegments * j + k;
-        if (++j == segments.length) j = 0, ++k;
+        if (++j == length) j = 0, ++k;
         return at;
     }
 };
@@ -47,7 +51,7 @@ constexpr int kSegmentsTogether = 4;
 template <class System, class Gains>
 void factor_segment_line(size_t nodes, const System& system, const SegmentRows& out, Gains gains) {
     const Segments segments(nodes);
-    factor_spring_line(nodes, system, PlacesInTurn{segments}, out.carry, out.pull, gains);
+    factor_spring_line(nodes, system, PlacesInTurn(segments), out.carry, out.pull, gains);
     out.pull[segments.place(nodes - 1)] = 0;
 
     // Numbers as small as that do not matter, and could make subnormal ones.

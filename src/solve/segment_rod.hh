@@ -44,7 +44,7 @@ template <class System> void factor_segment_rod(size_t nodes, const System& syst
     const size_t first = place(0), last = place(nodes - 1);
     for (double* row : {rod.keep, rod.close, rod.turn, rod.lever, rod.follow, rod.lean, rod.bend}) row[first] = 0;
     rod.bend[last] = 0;
-    factor_rod_line(nodes, system, rod, PlacesInTurn{segments});
+    factor_rod_line(nodes, system, rod, PlacesInTurn(segments));
     bool held = false;
     for (size_t i = 0; i < nodes; ++i) {
         if (i == 0 || !system.repeats(i)) held = system.ground(i) - system.ground(i) != 0;
