@@ -65,12 +65,12 @@
 {12, 16, 7, {0x2ff6c4fee11d9903, 0x696fe6582ff5f12c}}, /* everything, long steps */
 {12, 2, 16, {0x8f01dd5ec3545d0f, 0xfe448664b1f68c6a}}, /* everything, long steps */
 {13, 13, 9, {0xd2762451872eb6de, 0xf9882d177e4e7078}}, /* hulls */
-{13, 1, 17, {0xf6401ccb4c14569e, 0x546ce091f8c94d03}}, /* hulls */
+{13, 1, 17, {0x25db5c14af3f4910, 0xe020f2b302229f63}}, /* hulls */
 {13, 17, 1, {0x4d5d08cc0ca3b6a8, 0xdcccd38e7cd8c277}}, /* hulls */
 {13, 16, 7, {0xda21706955140dee, 0xd99585a72d4d9295}}, /* hulls */
 {13, 2, 16, {0x2e20158e80d29e38, 0xc279282d5ce81625}}, /* hulls */
-{14, 13, 9, {0xf942130fa7bd874b, 0x8c2e7e3eb0695700}}, /* hulls, long steps */
+{14, 13, 9, {0xd82fa5518f8e5660, 0x9557aaf8e82f8e14}}, /* hulls, long steps */
 {14, 1, 17, {0x7e3f1e3c0e5bf3c0, 0xe3b7cbbdc9a0bafa}}, /* hulls, long steps */
-{14, 17, 1, {0x201a43b26c072def, 0x55825ce5e59b7f0f}}, /* hulls, long steps */
-{14, 16, 7, {0x9be0262ec3a6d56c, 0xaae86b0abee50081}}, /* hulls, long steps */
-{14, 2, 16, {0xbe6a47609b3c700f, 0xc97d20aad374b115}}, /* hulls, long steps */
+{14, 17, 1, {0x26c33fa82b029383, 0x55825ce5e59b7f0f}}, /* hulls, long steps */
+{14, 16, 7, {0x1c9566220985ad14, 0x79a5fa48b52548d6}}, /* hulls, long steps */
+{14, 2, 16, {0xec48a71875a46772, 0x7059a64acc3a631e}}, /* hulls, long steps */

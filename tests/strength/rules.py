@@ -392,6 +392,19 @@ RULES = CLOTH_RULES | {
     "where water gives way to it": (HULL_STEP, "mean(from) > 0 && mean(to) > 0 ?", "true ?", ["physics_water_hulls"]),
     "beyond a side slopes are mirrored": (HULL_PLATES, "> 0 ? -1 : 1;", "> 0 ? 1 : 1;", ["physics_water_hulls"]),
     "hulls stop before sides, and leave them": (HULL_STEP, "kHullGap = 1;", "kHullGap = 0;", ["physics_water_hulls"]),
+    "and before what closes their way": (
+        HULL_STEP, "closed = is_near_closed(w, index, pose, cells_ahead(time));", "closed = false;", ["physics_water_hulls_walls"]),
+    "through which they do not turn": (
+        HULL_STEP, "if (closed && !can_turn", "if (false && !can_turn", ["physics_water_hulls_walls"]),
+    "what stops a hull pays for what it owes": (
+        HULL_STEP, "positive(due - (moving - moving_energy()))", "positive(due - 0 * moving)",
+        ["physics_water_hulls_walls"]),
+    "a wall parts a hull from the water behind": (
+        "../model/water_hull_plates.cpp", "if (walls) mirror_at_walls(w, out);", "", ["physics_water_hulls_walls"]),
+    "and from its slope": (
+        HULL_PLATES, "if (w.wall[b] && cells[c] !=", "if (false && cells[c] !=", ["physics_water_hulls_walls"]),
+    "and from its speed": (
+        HULL_STEP, "if (lines[0] != lines[1] && walled", "if (false && walled", ["physics_water_hulls_walls"]),
     "friction holds a hull before it moves": (
         HULL_STEP, ", rubbed = rub(contact.by_bed);\n        drift(pose, before, made, rubbed, contact.energy);\n",
         ";\n        drift(pose, before, made, 0, contact.energy);\n        rub(contact.by_bed);\n", ["physics_water_hulls"]),
