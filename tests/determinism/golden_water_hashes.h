@@ -55,7 +55,7 @@
 {10, 16, 7, {0x439d6531ed996d59, 0xc9e50d630623e061}}, /* fed */
 {10, 2, 16, {0x61975d8b8520856a, 0x25e11d339c20be05}}, /* fed */
 {11, 13, 9, {0x31eeed6940037b88, 0xd6c718cb91a61b35}}, /* everything */
-{11, 1, 17, {0x824c77138915aaf9, 0xaf1a55fbf1e161ec}}, /* everything */
+{11, 1, 17, {0x9dc6438692b4b188, 0xb7d7bf12f19444b8}}, /* everything */
 {11, 17, 1, {0xcb97b23da4aab6c6, 0xbdb00808862805a9}}, /* everything */
 {11, 16, 7, {0xe44a0ac397a2b942, 0x0248edec456fd75f}}, /* everything */
 {11, 2, 16, {0x59da9527a47cf0f1, 0xa5ed435aa48de551}}, /* everything */

@@ -134,6 +134,11 @@ RULES = CLOTH_RULES | {
         "water/side.hh", "(cell.discharge - fill)", "(cell.discharge - 0 * fill)", ["physics_water_sides"]),
     "a side's depth is that of half a cell before": (
         "water/surface.hh", "- L::load(half_cell))", "- 0.0 * L::load(half_cell))", ["physics_water_sides"]),
+    "and a cell between two sides has one half on each": (
+        "water/surface.hh", "const bool is_shared = n == 1 &&", "const bool is_shared = false && n == 1 &&",
+        ["physics_water_symmetry"]),
+    "which a wall behind it takes from none": (
+        "water/surface.hh", "n == 1 && sweep.end[1 - e].kind != End::kWall;", "n == 1;", ["physics_water_symmetry"]),
     "what leaves runs no faster than it came": (
         "water/velocity.hh", "larger(-most, smaller(most, u))", "u", ["physics_water_symmetry"]),
     "what rounding takes is handed on": (
