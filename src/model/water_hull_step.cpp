@@ -396,15 +396,16 @@ struct Mover {
         for (int k = 0; k < 3; ++k)
             if (stops[k]) h.velocity[k == kRound ? 3 : k] = 0;
         if (due > 0) due = positive(due - (moving - moving_energy())); // what stops it pays for what it owes
-        // Nothing is paid of a debt up to half of the credit, all of one that reaches it.
-        double taken = due < credit ? positive(2 * due - credit) : due;
+        // Nothing is paid of a small debt, all of one that reaches the credit.
+        double taken = due < credit ? positive(due - kPaysFrom * credit) / (1 - kPaysFrom) : due;
         if (taken > removable() + credit) taken = lose(due);
         else if (taken > 0) taken = remove(taken);
         h.owed = due > 0 ? due - taken : due < -credit ? -credit : due;
         if (!isfinite(h.owed)) h.owed = 0; // velocities whose squares are no numbers have no energy to owe
     }
     static constexpr int kHalvings = 8;
-    static constexpr double kCredit = 0.05; // of a hull's energy, before the push, that may be owed, or kept
+    static constexpr double kCredit = 0.05;   // of a hull's energy, before the push, that may be owed, or kept
+    static constexpr double kPaysFrom = 0.75; // of the credit
 
     bool stand_still() { // nothing is under its middle
         for (int way = 0; way < 6; ++way) h.velocity[way] = h.water[way] = 0;

@@ -64,13 +64,13 @@
 {12, 17, 1, {0xee10460b43ec32de, 0x4c8d715ee92b5116}}, /* everything, long steps */
 {12, 16, 7, {0x2ff6c4fee11d9903, 0x696fe6582ff5f12c}}, /* everything, long steps */
 {12, 2, 16, {0x8f01dd5ec3545d0f, 0xfe448664b1f68c6a}}, /* everything, long steps */
-{13, 13, 9, {0xd2762451872eb6de, 0xf9882d177e4e7078}}, /* hulls */
-{13, 1, 17, {0x25db5c14af3f4910, 0xe020f2b302229f63}}, /* hulls */
-{13, 17, 1, {0x4d5d08cc0ca3b6a8, 0xdcccd38e7cd8c277}}, /* hulls */
-{13, 16, 7, {0xda21706955140dee, 0xd99585a72d4d9295}}, /* hulls */
-{13, 2, 16, {0x2e20158e80d29e38, 0xc279282d5ce81625}}, /* hulls */
-{14, 13, 9, {0xd82fa5518f8e5660, 0x9557aaf8e82f8e14}}, /* hulls, long steps */
-{14, 1, 17, {0x7e3f1e3c0e5bf3c0, 0xe3b7cbbdc9a0bafa}}, /* hulls, long steps */
+{13, 13, 9, {0x49eca0b8789a407b, 0xe129fca219e5ce42}}, /* hulls */
+{13, 1, 17, {0x763ccb6d8fa29eaf, 0x2232f4081d7be85f}}, /* hulls */
+{13, 17, 1, {0x1cbf3423ab9fe951, 0x1654e71272d23836}}, /* hulls */
+{13, 16, 7, {0x4a88641011f7ab50, 0xd07965e81c9a56ec}}, /* hulls */
+{13, 2, 16, {0x67ba1c9980ea9116, 0xd752c6ce6eb33c60}}, /* hulls */
+{14, 13, 9, {0x70afef7e9560a2aa, 0x35b5cdbc1ee769d3}}, /* hulls, long steps */
+{14, 1, 17, {0x001654b4eaae545f, 0x75bf3041c772541d}}, /* hulls, long steps */
 {14, 17, 1, {0x26c33fa82b029383, 0x55825ce5e59b7f0f}}, /* hulls, long steps */
-{14, 16, 7, {0x1c9566220985ad14, 0x79a5fa48b52548d6}}, /* hulls, long steps */
-{14, 2, 16, {0xec48a71875a46772, 0x7059a64acc3a631e}}, /* hulls, long steps */
+{14, 16, 7, {0xbe83af63eeafd79a, 0x16f7e76ee5dbf2d9}}, /* hulls, long steps */
+{14, 2, 16, {0x808e7cc5caeb1cf8, 0x240a961b971b0ea8}}, /* hulls, long steps */

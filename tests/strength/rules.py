@@ -374,7 +374,8 @@ RULES = CLOTH_RULES | {
     "a hull owes a part of what it had before the push": (
         HULL_STEP, "kCredit * (had + energy);", "kCredit * (moving_energy() + energy + 0 * had);",
         ["stability_water_hulls"]),
-    "and pays from half of that on": (HULL_STEP, "(2 * due - credit)", "(due)", ["physics_water_hulls_glide"]),
+    "and pays from three quarters of that on": (
+        HULL_STEP, "kPaysFrom = 0.75;", "kPaysFrom = 0.5;", ["physics_water_hulls_glide"]),
     "a push that leads nowhere is not the water's": (
         HULL_STEP, "if (taken > removable() + credit) taken = lose(due);", "if (taken > removable() + credit) taken = due;",
         ["stability_water_hulls"]),
@@ -396,7 +397,7 @@ RULES = CLOTH_RULES | {
     "what hulls press with, too": (HULL_STEP, " + (load(to) - load(from))", "", ["physics_water_hulls_glide"]),
     "where water gives way to it": (HULL_STEP, "mean(from) > 0 && mean(to) > 0 ?", "true ?", ["physics_water_hulls"]),
     "beyond a side slopes are mirrored": (HULL_PLATES, "> 0 ? -1 : 1;", "> 0 ? 1 : 1;", ["physics_water_hulls"]),
-    "hulls stop before sides, and leave them": (HULL_STEP, "kHullGap = 1;", "kHullGap = 0;", ["physics_water_hulls"]),
+    "hulls stop before sides, and leave them": (HULL_PLATES, "kHullGap = 1;", "kHullGap = 0;", ["physics_water_hulls"]),
     "and before what closes their way": (
         HULL_STEP, "closed = is_near_closed(w, index, pose, cells_ahead(time));", "closed = false;", ["physics_water_hulls_walls"]),
     "through which they do not turn": (
