@@ -2235,7 +2235,8 @@ export class Water extends Handle {
   // meets
   // a hull's floor, and hulls do not meet each other. At sides that are not periodic a hull stops, without turning,
   // where
-  // a cell's width of water is left before it, if there is room for that; cells that are not there stop its middle.
+  // a cell's width of water is left before it, if there is room for that, and before walls and cells that are not
+  // there.
   //
   // A pose is {x, y, z, aheadX, aheadY, pitch, roll}: the middle, the height of the keel under it [m], the direction of
   // the bow, and small slopes: pitch is by how much the bow rises per metre ahead, roll the port side, to the left, per

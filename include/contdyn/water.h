@@ -283,7 +283,7 @@ CD_API cd_status cd_water_impulse(cd_water* water, double x, double y, double ra
  * plates, at heights above its keel, with sides as high as it takes. What presses the water down makes waves; water
  * that rises, slopes or runs lifts, pushes and drags the hull; where the bed is higher it lies on that. Water only meets
  * a hull's floor, and hulls do not meet each other. At sides that are not periodic a hull stops, without turning, where
- * a cell's width of water is left before it, if there is room for that; cells that are not there stop its middle.
+ * a cell's width of water is left before it, if there is room for that, and before walls and cells that are not there.
  *
  * A pose is {x, y, z, ahead_x, ahead_y, pitch, roll}: the middle, the height of the keel under it [m], the direction of
  * the bow, and small slopes: pitch is by how much the bow rises per metre ahead, roll the port side, to the left, per

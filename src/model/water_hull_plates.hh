@@ -34,7 +34,7 @@ constexpr double kAlmostWhole = 1e-12; // of its length: a part of a plate may b
 
 // Brings a number of cells along an axis into the scene's [0, cells]. What reaches past a side that is not periodic is
 // mirrored there: a hull at a wall is borne by the water along it. False of what is far away, and of NaN.
-inline bool bring_in(double& x, size_t cells, bool periodic) {
+__attribute__((always_inline)) inline bool bring_in(double& x, size_t cells, bool periodic) {
     const double length = double(cells), round = periodic ? length : 2 * length;
     if (x >= 0 && x <= length) return true; // most
     if (!(fabs(x) <= kMostRounds * round)) return false;
@@ -78,49 +78,34 @@ inline bool spline_around(double at, double size, size_t cells, bool periodic, s
     return true;
 }
 
-// The products of weights along both axes; of those of places that are not there none, in proportion.
-template <int n, class There>
-void weigh(Around<n>& out, const double (&along)[n], const double (&across)[n], bool all, There there) {
+// The products of weights along both axes.
+template <int n> void weigh(Around<n>& out, const double (&along)[n], const double (&across)[n]) {
     out.any = true;
     for (int row = 0; row < n; ++row)
         for (int k = 0; k < n; ++k) out.weight[row * n + k] = along[k] * across[row];
-    if (all) return;
-    double sum = 0;
-    for (int c = 0; c < n * n; ++c) {
-        if (!there(out.i[c % n], out.j[c / n])) out.weight[c] = 0;
-        sum += out.weight[c];
-    }
-    out.any = sum > 0;
-    for (int c = 0; c < n * n && out.any; ++c) out.weight[c] /= sum;
 }
 
-// The cells that bear what presses at a point, as far as they are there.
-inline void find_cells(const Water& w, double x, double y, Around<3>& out) {
-    double along[3], across[3];
-    out.any = spline_around(x, w.size[kX], w.cells[kX], periodic(w, kX), out.i, along) &&
-              spline_around(y, w.size[kY], w.cells[kY], periodic(w, kY), out.j, across);
-    if (out.any) weigh(out, along, across, !w.mask, [&](size_t i, size_t j) { return present(w, i, j); });
+// Whether a wall stands at a cell, on the face behind it or ahead of it.
+inline bool walled(const Water& w, Axis a, size_t i, size_t j, bool ahead) {
+    if (!w.wall[a]) return false;
+    size_t& at = a == kX ? i : j;
+    if (ahead && ++at == w.cells[a]) at = 0;
+    return w.wall[a][byte_place(w, i, j)] != 0;
 }
+// Between two lines along an axis, at the cell ahead of a face: on the side of the line before or after it.
+inline bool walled_beside(const Water& w, Axis a, size_t face, size_t line, bool after) {
+    const size_t in = face < w.cells[a] ? face : w.cells[a] - 1;
+    return a == kX ? walled(w, kY, in, line, after) : walled(w, kX, line, in, after);
+}
+// Whether there may be walls, or cells that are not there, as near as so many cells to a hull.
+bool is_near_walls(const Water& w, size_t index, const HullPose& pose, double cells);
+bool is_near_closed(const Water& w, size_t index, const HullPose& pose, double cells);
 
+// The cells that bear what presses at a point, as far as they are there; walls, where there are some, are mirrors, as the
+// sides of a scene are.
+void find_cells(const Water& w, double x, double y, bool walls, Around<3>& out);
 // The cells whose middles a point lies between, as far as they are there.
-inline Around<2> cells_between(const Water& w, double x, double y) {
-    Around<2> out{};
-    double along[2], across[2];
-    if (between(x, w.size[kX], 0.5, w.cells[kX], w.cells[kX], periodic(w, kX), out.i, along) &&
-        between(y, w.size[kY], 0.5, w.cells[kY], w.cells[kY], periodic(w, kY), out.j, across))
-        weigh(out, along, across, !w.mask, [&](size_t i, size_t j) { return present(w, i, j); });
-    return out;
-}
-
-// Among the faces of an axis.
-inline Around<2> faces_around(const Water& w, Axis a, double x, double y) {
-    Around<2> out{};
-    double along[2] = {}, across[2];
-    if (between(x, w.size[kX], a == kX ? 0 : 0.5, w.cells[kX], faces_along(w, a, kX), periodic(w, kX), out.i, along) &&
-        between(y, w.size[kY], a == kY ? 0 : 0.5, w.cells[kY], faces_along(w, a, kY), periodic(w, kY), out.j, across))
-        weigh(out, along, across, true, [](size_t, size_t) { return true; });
-    return out;
-}
+Around<2> cells_between(const Water& w, double x, double y);
 
 // In the mirror images of the scene beyond its sides -1, elsewhere 1.
 inline double facing(double at, double size, size_t cells, bool periodic) {
@@ -140,6 +125,8 @@ template <class F> void each_difference(const Water& w, Axis a, double x, double
     if (!between(at[a], w.size[a], 0, w.cells[a], faces_along(w, a, a), periodic(w, a), faces, along) ||
         !spline_around(at[b], w.size[b], w.cells[b], periodic(w, b), cells, across))
         return;
+    for (int c : {0, 2})
+        if (w.wall[b] && cells[c] != cells[1] && walled_beside(w, a, faces[0], cells[1], c == 2)) cells[c] = cells[1];
     for (int k = 0; k < 2; ++k)
         for (int c = 0; c < 3; ++c)
             f(a == kX ? faces[k] : cells[c], a == kX ? cells[c] : faces[k], sign * (along[k] * across[c]));
@@ -164,6 +151,7 @@ struct CellBox {
 struct Plate {
     Around<3> cells;
     double x, y, area;
+    double half[2];         // of its length and width [m]
     double ahead, port;     // from the hull's middle [m]
     double height;          // above the keel
     double surface, bed, z; // surface: of the water; z: of the floor, as its skin is pressed
@@ -208,6 +196,14 @@ void press(const Water& w, size_t index, const void* depth, double run, double* 
         });
     });
 }
+
+// How far a hull may go along an axis, of `way` at most: plates come no nearer than kHullGap to the next face that walls,
+// or cells that are not there, close to water, or than they were. And whether it may turn from one pose to the other,
+// which lies at the same place: no plate goes through such a face. (water_hull_way.cpp)
+double free_way(const Water& w, size_t index, const HullPose& pose, Axis a, double way);
+bool can_turn(const Water& w, size_t index, const HullPose& from, const HullPose& to);
+
+constexpr double kHullGap = 1; // cells of water between a hull and what stops it: with none nothing presses it away
 
 // What holds a hull up, and how that changes with height, pitch and roll.
 struct HullContact {

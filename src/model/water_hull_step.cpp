@@ -158,6 +158,23 @@ void heave(const Water& w, size_t index, HullPose& pose, double (&v)[3], double 
 
 namespace {
 
+// The faces of an axis that a point lies between, of lines that no wall parts from it.
+__attribute__((noinline)) Around<2> faces_around(const Water& w, Axis a, double x, double y) {
+    Around<2> out{};
+    double along[2], across[2];
+    if (!between(x, w.size[kX], a == kX ? 0 : 0.5, w.cells[kX], faces_along(w, a, kX), periodic(w, kX), out.i, along) ||
+        !between(y, w.size[kY], a == kY ? 0 : 0.5, w.cells[kY], faces_along(w, a, kY), periodic(w, kY), out.j, across))
+        return out;
+    const size_t *const faces = a == kX ? out.i : out.j, *const lines = a == kX ? out.j : out.i;
+    double(&weight)[2] = a == kX ? across : along;
+    if (lines[0] != lines[1] && walled_beside(w, a, faces[0], lines[1], false)) {
+        weight[0] = weight[0] < 0.5 ? 0 : 1;
+        weight[1] = 1 - weight[0];
+    }
+    weigh(out, along, across);
+    return out;
+}
+
 // The water that a hull drags along an axis: how fast it runs, what mass an impulse on it moves.
 struct Dragged {
     double speed = 0, inverse_mass = 0, sum = 0; // sum: of shares times depths
@@ -279,17 +296,24 @@ struct Mover {
         h.water[3] -= slower * mass[3] / dt;
     }
 
-    // Where a part of a step leads; stops: along which axes a side, or cells that are not there, are in the way. Plates
-    // come no nearer to a side than its gap, or than they were, unless the hull is as long as the scene. The middle
-    // does not leave the scene.
-    HullPose after(const HullPose& pose, double time, bool (&stops)[2]) const {
+    // Where a part of a step leads; stops: along which axes, and whether round, a side or a closed face is in the way.
+    // Plates come no nearer to a side than its gap, or than they were, unless the hull is as long as the scene. The
+    // middle does not leave the scene.
+    HullPose after(const HullPose& pose, double time, bool (&stops)[3]) const {
         HullPose out = pose;
-        stops[kX] = stops[kY] = false;
+        for (bool& stop : stops) stop = false;
         if (!(time > 0)) return out; // a side is not met by what does not move: rounding would tell
         turn(out, time);
+        const bool closed = is_near_closed(w, index, pose, cells_ahead(time));
+        if (closed && !can_turn(w, index, pose, out)) {
+            stops[kRound] = true;
+            for (Axis a : {kX, kY}) out.heading[a] = pose.heading[a];
+        }
         double* const at[2] = {&out.x, &out.y};
-        for (Axis a : {kX, kY}) {
-            const double length = double(w.cells[a]) * w.size[a], was = *at[a], to = was + time * h.velocity[a];
+        for (Axis a : {Axis(w.first), other(Axis(w.first))}) { // the transpose of a scene goes the other way first
+            const double length = double(w.cells[a]) * w.size[a], was = *at[a], wish = was + time * h.velocity[a];
+            const double free = closed ? free_way(w, index, out, a, wish - was) : wish - was;
+            const double to = free == wish - was ? wish : was + free;
             double stop = to;
             if (periodic(w, a)) {
                 *at[a] = to - length * whole_below(to / length);
@@ -304,14 +328,19 @@ struct Mover {
                 }
                 *at[a] = stop = stop > 0 ? (stop < length ? stop : length) : 0;
             }
-            stops[a] = stop != to;
+            stops[a] = stop != wish;
             if (cells_between(w, out.x, out.y).any) continue;
             stops[a] = true, *at[a] = was;
         }
         return out;
     }
 
-    static constexpr double kHullGap = 1; // cells of water between a hull and a side: with none nothing presses it away
+    static constexpr int kRound = 2;
+    // How many cells away what may stop a hull is at most: as far as it goes and its gap reach, and a cell more.
+    double cells_ahead(double time) const {
+        const double x = fabs(h.velocity[0]) / w.size[kX], y = fabs(h.velocity[1]) / w.size[kY];
+        return time * (x > y ? x : y) + kHullGap + 1;
+    }
     static double positive(double x) { return x > 0 ? x : 0; }
     void turn(HullPose& pose, double time) const {
         const double t = 0.5 * (time * h.velocity[3]), down = 1 / (1 + t * t); // a turn by 2 atan t
@@ -352,7 +381,7 @@ struct Mover {
     void drift(HullPose& pose, double had, double made, double rubbed, double energy) {
         const double credit = kCredit * (had + energy);
         double time = dt, due = 0;
-        bool stops[2];
+        bool stops[3];
         HullPose to = pose;
         for (int half = 0; half <= kHalvings; ++half, time /= 2) {
             if (half == kHalvings) time = 0;
@@ -363,17 +392,20 @@ struct Mover {
             if (due <= removable() + credit) break;
         }
         pose = to;
-        for (int a : {0, 1})
-            if (stops[a]) h.velocity[a] = 0;
-        // Nothing is paid of a debt up to half of the credit, all of one that reaches it.
-        double taken = due < credit ? positive(2 * due - credit) : due;
+        const double moving = moving_energy();
+        for (int k = 0; k < 3; ++k)
+            if (stops[k]) h.velocity[k == kRound ? 3 : k] = 0;
+        if (due > 0) due = positive(due - (moving - moving_energy())); // what stops it pays for what it owes
+        // Nothing is paid of a small debt, all of one that reaches the credit.
+        double taken = due < credit ? positive(due - kPaysFrom * credit) / (1 - kPaysFrom) : due;
         if (taken > removable() + credit) taken = lose(due);
         else if (taken > 0) taken = remove(taken);
         h.owed = due > 0 ? due - taken : due < -credit ? -credit : due;
         if (!isfinite(h.owed)) h.owed = 0; // velocities whose squares are no numbers have no energy to owe
     }
     static constexpr int kHalvings = 8;
-    static constexpr double kCredit = 0.05; // of a hull's energy, before the push, that may be owed, or kept
+    static constexpr double kCredit = 0.05;   // of a hull's energy, before the push, that may be owed, or kept
+    static constexpr double kPaysFrom = 0.75; // of the credit
 
     bool stand_still() { // nothing is under its middle
         for (int way = 0; way < 6; ++way) h.velocity[way] = h.water[way] = 0;

@@ -55,7 +55,7 @@
 {10, 16, 7, {0x439d6531ed996d59, 0xc9e50d630623e061}}, /* fed */
 {10, 2, 16, {0x61975d8b8520856a, 0x25e11d339c20be05}}, /* fed */
 {11, 13, 9, {0x31eeed6940037b88, 0xd6c718cb91a61b35}}, /* everything */
-{11, 1, 17, {0x824c77138915aaf9, 0xaf1a55fbf1e161ec}}, /* everything */
+{11, 1, 17, {0x9dc6438692b4b188, 0xb7d7bf12f19444b8}}, /* everything */
 {11, 17, 1, {0xcb97b23da4aab6c6, 0xbdb00808862805a9}}, /* everything */
 {11, 16, 7, {0xe44a0ac397a2b942, 0x0248edec456fd75f}}, /* everything */
 {11, 2, 16, {0x59da9527a47cf0f1, 0xa5ed435aa48de551}}, /* everything */
@@ -64,13 +64,13 @@
 {12, 17, 1, {0xee10460b43ec32de, 0x4c8d715ee92b5116}}, /* everything, long steps */
 {12, 16, 7, {0x2ff6c4fee11d9903, 0x696fe6582ff5f12c}}, /* everything, long steps */
 {12, 2, 16, {0x8f01dd5ec3545d0f, 0xfe448664b1f68c6a}}, /* everything, long steps */
-{13, 13, 9, {0xd2762451872eb6de, 0xf9882d177e4e7078}}, /* hulls */
-{13, 1, 17, {0xf6401ccb4c14569e, 0x546ce091f8c94d03}}, /* hulls */
-{13, 17, 1, {0x4d5d08cc0ca3b6a8, 0xdcccd38e7cd8c277}}, /* hulls */
-{13, 16, 7, {0xda21706955140dee, 0xd99585a72d4d9295}}, /* hulls */
-{13, 2, 16, {0x2e20158e80d29e38, 0xc279282d5ce81625}}, /* hulls */
-{14, 13, 9, {0xf942130fa7bd874b, 0x8c2e7e3eb0695700}}, /* hulls, long steps */
-{14, 1, 17, {0x7e3f1e3c0e5bf3c0, 0xe3b7cbbdc9a0bafa}}, /* hulls, long steps */
-{14, 17, 1, {0x201a43b26c072def, 0x55825ce5e59b7f0f}}, /* hulls, long steps */
-{14, 16, 7, {0x9be0262ec3a6d56c, 0xaae86b0abee50081}}, /* hulls, long steps */
-{14, 2, 16, {0xbe6a47609b3c700f, 0xc97d20aad374b115}}, /* hulls, long steps */
+{13, 13, 9, {0x49eca0b8789a407b, 0xe129fca219e5ce42}}, /* hulls */
+{13, 1, 17, {0x763ccb6d8fa29eaf, 0x2232f4081d7be85f}}, /* hulls */
+{13, 17, 1, {0x1cbf3423ab9fe951, 0x1654e71272d23836}}, /* hulls */
+{13, 16, 7, {0x4a88641011f7ab50, 0xd07965e81c9a56ec}}, /* hulls */
+{13, 2, 16, {0x67ba1c9980ea9116, 0xd752c6ce6eb33c60}}, /* hulls */
+{14, 13, 9, {0x70afef7e9560a2aa, 0x35b5cdbc1ee769d3}}, /* hulls, long steps */
+{14, 1, 17, {0x001654b4eaae545f, 0x75bf3041c772541d}}, /* hulls, long steps */
+{14, 17, 1, {0x26c33fa82b029383, 0x55825ce5e59b7f0f}}, /* hulls, long steps */
+{14, 16, 7, {0xbe83af63eeafd79a, 0x16f7e76ee5dbf2d9}}, /* hulls, long steps */
+{14, 2, 16, {0x808e7cc5caeb1cf8, 0x240a961b971b0ea8}}, /* hulls, long steps */

@@ -79,6 +79,20 @@ static void a_hull_adrift_goes_on(void** state) {
     }
 }
 
+/* Also where it is heavy and lies on few cells, so that its way is uneven, wherever it begins among them. */
+static void a_hull_of_few_cells_goes_on(void** state) {
+    (void)state;
+    for (int k = 0; k < 16; ++k) {
+        struct start s = {.dx = 0.2, .dy = 0.2, .length = 2, .width = 1, .speed = 0.1};
+        s.precision = k & 1 ? CD_FLOAT32 : CD_FLOAT64;
+        s.heading = k & 2 ? PI / 2 : 0, s.mass = k & 4 ? 800 : 400, s.off = k & 8 ? 0.5 : 0.25;
+        double turned;
+        const double part = way(&s, &turned) / (s.speed * SECONDS);
+        if (!(part > 0.6 && part < 1.02)) print_message("case %d: %g of the way in the air\n", k, part);
+        assert_true(part > 0.6 && part < 1.02);
+    }
+}
+
 static void the_least_moment_turns_a_hull(void** state) {
     (void)state;
     for (int k = 0; k < CASES; ++k) {
@@ -128,6 +142,7 @@ int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(the_least_push_moves_a_hull),
         cmocka_unit_test(a_hull_adrift_goes_on),
+        cmocka_unit_test(a_hull_of_few_cells_goes_on),
         cmocka_unit_test(the_least_moment_turns_a_hull),
         cmocka_unit_test(a_small_push_moves_a_boat_wherever_it_lies),
     };

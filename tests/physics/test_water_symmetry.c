@@ -358,6 +358,61 @@ static void a_single_cell_between_two_sides_is_its_own_image(void** state) {
             }
 }
 
+/* A low heap in a cell between two open sides falls as waves leave through both: by exp(-2 c t / dx). */
+static void a_cell_between_two_open_sides_empties_in_time(void** state) {
+    (void)state;
+    for (size_t k = 0; k < WAYS; ++k) {
+        const double c = sqrt(9.81), heap = 1e-4, dt = 0.01 / c;
+        cd_water* w = basin(1, 1, 1, 1, CD_FLOAT64);
+        basin_set_way(w, &ways[k]);
+        basin_set(w, CD_DEPTH, 0, 0, 1 + heap);
+        for (int last = 0; last < 2; ++last) ok(cd_water_set_side(w, line_side(0, last), CD_BORDER_OPEN, 1, 0));
+        basin_step(w, dt, 50);
+        assert_near((basin_get(w, CD_DEPTH, 0, 0) - 1) / heap, exp(-1), 0.02, 0);
+        cd_water_destroy(w);
+    }
+}
+
+/* Cells between a side of any kind and a wall within the water are those of a water that ends at the wall, to the bit: a
+ * single one too. */
+static void what_a_wall_cuts_off_at_a_side_is_a_water_of_its_own(void** state) {
+    (void)state;
+    static const cd_border kinds[] = {CD_BORDER_OPEN, CD_BORDER_LEVEL, CD_BORDER_INFLOW};
+    for (size_t k = 0; k < WAYS * COUNT(kinds) * 24; ++k) {
+        const struct way* const way = &ways[k % WAYS];
+        const cd_border kind = kinds[k / WAYS % COUNT(kinds)];
+        uint64_t seed = 1 + k / WAYS / COUNT(kinds);
+        const int last = seed % 2, along_y = seed / 2 % 2;
+        const size_t cells = 1 + seed % 3, behind = 3;
+        const double side = random_number(&seed), dt = basin_is_explicit(way) ? 0.03 : 0.3;
+        cd_water* w[2];
+        for (int walled = 0; walled < 2; ++walled) {
+            const size_t n = walled ? cells + behind : cells;
+            w[walled] = along_y ? basin(1, n, 1, 0.5, CD_FLOAT64) : basin(n, 1, 0.5, 1, CD_FLOAT64);
+            basin_set_way(w[walled], way);
+            ok(cd_water_set_side(w[walled], line_side(along_y, last), kind, side, 0.05));
+            const size_t wall = last ? behind : cells;
+            if (!walled) continue;
+            ok(cd_water_enable_field(w[1], line_field(along_y, CD_WALL_X)));
+            basin_set(w[1], line_field(along_y, CD_WALL_X), along_y ? 0 : wall, along_y ? wall : 0, 1);
+        }
+        const size_t off = last ? behind : 0;
+        for (size_t i = 0; i < cells; ++i) {
+            const double depth = 0.6 + 0.5 * random_number(&seed);
+            basin_set(w[0], CD_DEPTH, along_y ? 0 : i, along_y ? i : 0, depth);
+            basin_set(w[1], CD_DEPTH, along_y ? 0 : off + i, along_y ? off + i : 0, depth);
+        }
+        for (int step = 0; step < 20; ++step) {
+            basin_step(w[0], dt, 1), basin_step(w[1], dt, 1);
+            for (size_t i = 0; i < cells; ++i)
+                assert_true(basin_get(w[0], CD_DEPTH, along_y ? 0 : i, along_y ? i : 0) ==
+                            basin_get(w[1], CD_DEPTH, along_y ? 0 : off + i, along_y ? off + i : 0));
+        }
+        cd_water_destroy(w[0]);
+        cd_water_destroy(w[1]);
+    }
+}
+
 /* A boat near a side moves as its mirror image does at the opposite one, in steps of any length. */
 static void a_boat_at_a_side_is_its_own_image(void** state) {
     (void)state;
@@ -410,6 +465,8 @@ int main(void) {
         cmocka_unit_test(a_ring_may_begin_anywhere),
         cmocka_unit_test(twice_the_ring_is_the_same_ring),
         cmocka_unit_test(a_single_cell_between_two_sides_is_its_own_image),
+        cmocka_unit_test(a_cell_between_two_open_sides_empties_in_time),
+        cmocka_unit_test(what_a_wall_cuts_off_at_a_side_is_a_water_of_its_own),
         cmocka_unit_test(a_boat_at_a_side_is_its_own_image),
     };
     return cmocka_run_group_tests_name("water symmetry", tests, NULL, NULL);

@@ -134,6 +134,11 @@ RULES = CLOTH_RULES | {
         "water/side.hh", "(cell.discharge - fill)", "(cell.discharge - 0 * fill)", ["physics_water_sides"]),
     "a side's depth is that of half a cell before": (
         "water/surface.hh", "- L::load(half_cell))", "- 0.0 * L::load(half_cell))", ["physics_water_sides"]),
+    "and a cell between two sides has one half on each": (
+        "water/surface.hh", "const bool is_shared = n == 1 &&", "const bool is_shared = false && n == 1 &&",
+        ["physics_water_symmetry"]),
+    "which a wall behind it takes from none": (
+        "water/surface.hh", "n == 1 && sweep.end[1 - e].kind != End::kWall;", "n == 1;", ["physics_water_symmetry"]),
     "what leaves runs no faster than it came": (
         "water/velocity.hh", "larger(-most, smaller(most, u))", "u", ["physics_water_symmetry"]),
     "what rounding takes is handed on": (
@@ -369,7 +374,8 @@ RULES = CLOTH_RULES | {
     "a hull owes a part of what it had before the push": (
         HULL_STEP, "kCredit * (had + energy);", "kCredit * (moving_energy() + energy + 0 * had);",
         ["stability_water_hulls"]),
-    "and pays from half of that on": (HULL_STEP, "(2 * due - credit)", "(due)", ["physics_water_hulls_glide"]),
+    "and pays from three quarters of that on": (
+        HULL_STEP, "kPaysFrom = 0.75;", "kPaysFrom = 0.5;", ["physics_water_hulls_glide"]),
     "a push that leads nowhere is not the water's": (
         HULL_STEP, "if (taken > removable() + credit) taken = lose(due);", "if (taken > removable() + credit) taken = due;",
         ["stability_water_hulls"]),
@@ -391,7 +397,20 @@ RULES = CLOTH_RULES | {
     "what hulls press with, too": (HULL_STEP, " + (load(to) - load(from))", "", ["physics_water_hulls_glide"]),
     "where water gives way to it": (HULL_STEP, "mean(from) > 0 && mean(to) > 0 ?", "true ?", ["physics_water_hulls"]),
     "beyond a side slopes are mirrored": (HULL_PLATES, "> 0 ? -1 : 1;", "> 0 ? 1 : 1;", ["physics_water_hulls"]),
-    "hulls stop before sides, and leave them": (HULL_STEP, "kHullGap = 1;", "kHullGap = 0;", ["physics_water_hulls"]),
+    "hulls stop before sides, and leave them": (HULL_PLATES, "kHullGap = 1;", "kHullGap = 0;", ["physics_water_hulls"]),
+    "and before what closes their way": (
+        HULL_STEP, "closed = is_near_closed(w, index, pose, cells_ahead(time));", "closed = false;", ["physics_water_hulls_walls"]),
+    "through which they do not turn": (
+        HULL_STEP, "if (closed && !can_turn", "if (false && !can_turn", ["physics_water_hulls_walls"]),
+    "what stops a hull pays for what it owes": (
+        HULL_STEP, "positive(due - (moving - moving_energy()))", "positive(due - 0 * moving)",
+        ["physics_water_hulls_walls"]),
+    "a wall parts a hull from the water behind": (
+        "../model/water_hull_plates.cpp", "if (walls) mirror_at_walls(w, out);", "", ["physics_water_hulls_walls"]),
+    "and from its slope": (
+        HULL_PLATES, "if (w.wall[b] && cells[c] !=", "if (false && cells[c] !=", ["physics_water_hulls_walls"]),
+    "and from its speed": (
+        HULL_STEP, "if (lines[0] != lines[1] && walled", "if (false && walled", ["physics_water_hulls_walls"]),
     "friction holds a hull before it moves": (
         HULL_STEP, ", rubbed = rub(contact.by_bed);\n        drift(pose, before, made, rubbed, contact.energy);\n",
         ";\n        drift(pose, before, made, 0, contact.energy);\n        rub(contact.by_bed);\n", ["physics_water_hulls"]),

@@ -96,6 +96,7 @@ __attribute__((noinline)) inline Face WaterLine::end_face(int e) {
         side_depth[e] = inflow_depth(end, depth[inside]);
         return {open(face) * (courant * L::splat(-outward * end.discharge)), none, none};
     }
+    const bool is_shared = n == 1 && sweep.end[1 - e].kind != End::kWall; // the cell has one half on each side
     const SideWaves waves{sweep.gravity, sweep.advected()};
     double d[kLines], b[kLines], u[kLines], q[kLines], crossed[kLines], run[kLines];
     double discharge[kLines], slope[kLines], half_cell[kLines];
@@ -109,7 +110,7 @@ __attribute__((noinline)) inline Face WaterLine::end_face(int e) {
                                                      : waves.level(cell, outside, end.rise / sweep.courant,
                                                                    waves.follows(outside, run[k], sweep.theta));
         discharge[k] = outward * flow.discharge, slope[k] = flow.slope, d[k] = flow.depth;
-        half_cell[k] = n > 1 ? flow.half_cell : 0; // a single cell has one half on each side
+        half_cell[k] = is_shared ? 0 : flow.half_cell;
     }
     const L answer = open(face) * (sweep.theta * (courant * L::load(slope)) - L::load(half_cell));
     side_depth[e] = L::load(d);
