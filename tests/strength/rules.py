@@ -194,7 +194,9 @@ RULES = CLOTH_RULES | {
         TOUCHES),
     "but is no more than rounding bears": ("rope_step.cpp", "kMostAdded = 1e6;", "kMostAdded = 1e300;", TOUCHES),
     "the interior point's barrier rises where an iteration is stuck": (
-        "rope_step.cpp", "L::splat(1 / kBarrierFall)", "L::splat(kBarrierFall)", ["physics_bed"]),
+        "rope_step.cpp", "has_contacts() ? 1 / kBarrierFall : 1", "has_contacts() ? kBarrierFall : 1", ["physics_bed"]),
+    "but, where nothing touches, at last stays where it is": (
+        "rope_step.cpp", "k < kRises || has_contacts() ?", "true ?", ["physics_rope_air"]),
     "but not beyond what it was to begin with": (
         "rope_step.cpp", "barrier = smaller(wanted, highest)", "barrier = wanted", ["stability_ropes"]),
     "and stiff joints count for it": ("rope_step.cpp", "* bent() : L{}", "* L{} : L{}", ["stability_ropes"]),
