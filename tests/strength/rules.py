@@ -289,14 +289,12 @@ RULES = CLOTH_RULES | {
     "pushes act along the normal at the start": (
         "rope_contact.hh", "        const L changed =", "        c.acting = c.normal;\n        const L changed =",
         TOUCHES),
-    "what lay inside is not thrown": ("rope_contact.hh", "        n.next = n.next - speed_out(i);\n", "", TOUCHES),
-    "and leaves several colliders together": (
-        "rope_contact.hh", "(-1 / stage.dt) * c.before - dot(c.normal, out)", "(-1 / stage.dt) * c.before", OVERLAPS),
+    "what lay inside is not thrown": ("rope_contact.hh", "        n.next = n.next - velocity_out(i);\n", "", TOUCHES),
+    "and leaves several colliders together": ("collider.cpp", "b < a; ++b", "b < 0; ++b", OVERLAPS),
+    "up to three": ("collider.cpp", "c <= b; ++c", "c < 1; ++c", OVERLAPS),
+    "but not what has no edge": ("collider.cpp", "kFlat = 1e-6", "kFlat = -1", OVERLAPS),
     "and enters none that it meets on its way out": (
-        "rope_contact.hh", "meets = goes_on * c.on;", "meets = goes_on * c.on * positive(L{} - c.before);", OVERLAPS),
-    "by sweeps that go further, where walls lean by a few degrees": (
-        "rope_contact.hh", "kFurther = 1.7;", "kFurther = 1;", OVERLAPS),
-    "as many as that takes": ("rope_contact.hh", "kSweepsOut = 100;", "kSweepsOut = 16;", OVERLAPS),
+        "collider.cpp", "return of.on[k * of.contact_step + lane] > 0 &&", "return speed(k) > 0 &&", OVERLAPS),
     "and what lies on an axis across it": (
         "rope_contact.hh", "    way_off_line(to.way, ropes.components, out);\n", "    out[0] = 1;\n", OVERLAPS),
     "nor is its strand": ("rope_contact.hh", "if (!any_positive(lost)) return;", "return;", TOUCHES),
