@@ -1,4 +1,4 @@
-// Beds and callbacks: the same for all instructions, since this file is compiled once.
+// Beds, callbacks, ways out: the same for all instructions, since this file is compiled once.
 #include "kernel/collider.hh"
 
 #include <math.h>
@@ -10,6 +10,9 @@ namespace {
 constexpr double kFar = 1e60;         // as far as places are
 constexpr double kAsked = 0.1 * kFar; // as far along an axis as callbacks are asked: they can tell how far that is
 constexpr double kNormalError = 1e-3; // of a callback's normal, in its length
+
+// Normals are parallel, or all in one plane, where their volume, or the square of their area, is less than this.
+constexpr double kFlat = 1e-6;
 
 // Of the three heights about a place along one axis, what their differences from the middle one count for: the height
 // beyond the middle one, and its slope per spacing.
@@ -114,6 +117,51 @@ __attribute__((cold)) void add_loads(const PushedStrand& of, const Obstacle* col
         }
         add_force(loads + colliders[k].index * kLoadNumbers, force, x);
     });
+}
+
+// Contacts are counted in one after the other: where what takes the node out of those before does not take it out of
+// this one, the least that does lies in its plane; where that does not take it out of one before, on the edge of both,
+// and then in a corner of three (Seidel 1991).
+__attribute__((cold)) static void least_way_out(const Touching& of, size_t lane, double* out) {
+    struct Way {
+        double x, y, z;
+    };
+    const auto dot = [](Way a, Way b) { return (a.x * b.x + a.y * b.y) + a.z * b.z; };
+    const auto cross = [](Way a, Way b) {
+        return Way{a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
+    };
+    const auto normal = [&](size_t k) {
+        const double* const n = of.normal + k * of.contact_step + lane;
+        return Way{n[0], n[of.lanes], n[2 * of.lanes]};
+    };
+    const auto speed = [&](size_t k) { return -of.rate * of.before[k * of.contact_step + lane]; };
+    Way way = {};
+    const auto lacks = [&](size_t k, double allowed) {
+        return of.on[k * of.contact_step + lane] > 0 && speed(k) - dot(normal(k), way) > allowed;
+    };
+    const double error = of.error[lane];
+    for (size_t a = 0; a < of.count; ++a) {
+        if (!lacks(a, dot(way, way) > 0 ? error : 0)) continue;
+        const Way n = normal(a);
+        way = {speed(a) * n.x, speed(a) * n.y, speed(a) * n.z};
+        for (size_t b = 0; b < a; ++b) {
+            if (!lacks(b, error)) continue;
+            const Way m = normal(b), edge = cross(n, m);
+            for (size_t c = 0; c <= b; ++c) { // at first their edge, then corners with one before
+                if (c > 0 && !lacks(c - 1, error)) continue;
+                const Way o = c == 0 ? edge : normal(c - 1), mo = cross(m, o), on = cross(o, n);
+                const double volume = dot(n, mo), third = c == 0 ? 0 : speed(c - 1);
+                if (!(fabs(volume) > kFlat)) continue;
+                const double p = speed(a) / volume, q = speed(b) / volume, r = third / volume;
+                way = {(p * mo.x + q * on.x) + r * edge.x, (p * mo.y + q * on.y) + r * edge.y,
+                       (p * mo.z + q * on.z) + r * edge.z};
+            }
+        }
+    }
+    out[lane] = way.x, out[lane + of.lanes] = way.y, out[lane + 2 * of.lanes] = way.z;
+}
+void least_ways_out(const Touching& of, double* out) {
+    for (size_t lane = 0; lane < of.lanes; ++lane) least_way_out(of, lane, out);
 }
 
 void ask(const Obstacle& of, double time, size_t count, size_t components, double* places, double* distances,

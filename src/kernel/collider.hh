@@ -66,6 +66,15 @@ struct BadAnswer {
 void ask(const Obstacle& of, double time, size_t count, size_t components, double* places, double* distances,
          double* normals, BadAnswer& bad);
 
+// What nodes of `lanes` strands touch: of their first contacts. Components are `lanes` apart, contacts contact_step.
+struct Touching {
+    const double *normal, *before, *on, *error; // error: what counts as none of a velocity [m/s]
+    size_t contact_step, lanes, count;
+    double rate; // 1 / dt [1/s]
+};
+// The least velocities that take them out of all of that in a step, as normals lie.
+void least_ways_out(const Touching& of, double* out);
+
 // What a strand of a rope has after a step: of its first node, and of that one's first contact, in its first lane. Numbers
 // are `lanes` apart, those of a node node_step, of a contact contact_step, and of its push kPushNumbers times the lanes.
 struct PushedStrand {

@@ -276,7 +276,7 @@ template <int N> struct RopeBundle {
     V* links_of_contact(size_t at) const { return by_link + 3 * ((has_air() ? ropes.nodes : 0) + at); }
     __attribute__((noinline)) void press(size_t i, Hung& hung);
     __attribute__((noinline)) void pressed(size_t i, Impulses& left);
-    __attribute__((noinline)) V speed_out(size_t i);
+    __attribute__((noinline)) V velocity_out(size_t i) const;
     void forget_overlaps();
     __attribute__((cold)) void take_pushes(L part) const;
     __attribute__((cold)) void tell_loads() const;

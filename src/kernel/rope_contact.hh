@@ -29,11 +29,6 @@ constexpr size_t kGripIterations = 50;
 // How near a node is to what it touches by the first guess, over the springs' length, or nearer by the tolerance:
 // pushes that two colliders further apart would have against each other throw it from where it lies.
 constexpr double kNear = 1e-3;
-// Sweeps over the colliders that a node came out of, at most, and how far those after the first go, over what would take it
-// out of one: walls that lean by a few degrees share their way slowly.
-constexpr size_t kSweepsOut = 100;
-constexpr double kFurther = 1.7;
-
 // Of a place x and a collider at this time: the way out of it, and how far outside x lies.
 template <int N> void RopeBundle<N>::look_at_gap(const Obstacle& to, V x, double time, V& normal, L& gap) const {
     if (to.shape == CD_SHAPE_BED) return look_at_bed(to, x, time, normal, gap);
@@ -262,28 +257,24 @@ template <int N> void RopeBundle<N>::pressed(size_t i, Impulses& left) {
     }
 }
 
-// The speed that node i came out of all colliders with: the least that took it out of each and into none, by successive
-// overrelaxation, to what errors of length within the tolerance are worth. Colliders that it left by one way have that
-// together.
-template <int N> Vector<N> RopeBundle<N>::speed_out(size_t i) {
-    V out{};
-    const L error = (stage.tolerance / stage.dt) * length_at(i);
-    L goes_on = one();
-    for (size_t sweep = 0; sweep < kSweepsOut && any_positive(goes_on); ++sweep) {
-        L change{};
-        for (size_t k = 0; k < stage.collider_count; ++k) {
-            Contact& c = contacts[i * stage.collider_count + k];
-            const L meets = goes_on * c.on;
-            if (!any_positive(meets)) continue;
-            const L before = sweep > 0 ? c.grip : L{}, wanted = (-1 / stage.dt) * c.before - dot(c.normal, out);
-            const L next = positive(before + (sweep > 0 ? kFurther : 1) * wanted);
-            c.grip = select(meets, next, before);
-            out = out + (c.grip - before) * c.normal;
-            change = larger(change, size_of(c.grip - before));
-        }
-        goes_on = select(change - error, goes_on, L{});
+// The velocity that node i came out of all colliders with: the least that takes it out of each and into none, to what
+// errors of length within the tolerance are worth. Colliders that it left by one way have that together.
+template <int N> Vector<N> RopeBundle<N>::velocity_out(size_t i) const {
+    const Contact* const at = contacts + i * stage.collider_count;
+    L touched{};
+    V by_one{};
+    for (size_t k = 0; k < stage.collider_count; ++k) {
+        const L speed = (-1 / stage.dt) * at[k].before;
+        touched = touched + at[k].on, by_one = select(at[k].on * positive(speed), speed * at[k].normal, by_one);
     }
-    return out;
+    if (!any_positive(touched - one())) return by_one;
+    double error[N], out[3][N];
+    ((stage.tolerance / stage.dt) * length_at(i)).store(error);
+    const auto first = [](const auto& numbers) { return reinterpret_cast<const double*>(&numbers); };
+    least_ways_out({first(at->normal), first(at->before), first(at->on), error, sizeof(Contact) / sizeof(double), N,
+                    stage.collider_count, 1 / stage.dt},
+                   out[0]);
+    return {L::load(out[0]), L::load(out[1]), L::load(out[2])};
 }
 
 // What lay inside a collider before the step comes out of it, but is not thrown: it forgets the speed that it came out
@@ -303,7 +294,7 @@ template <int N> void RopeBundle<N>::forget_overlaps() {
             const L out = positive(dot(c.acting, n.w - velocity_of(stage.colliders[k])));
             given = given + select(inside, (2 * c.push) * out, L{});
         }
-        n.next = n.next - speed_out(i);
+        n.next = n.next - velocity_out(i);
         left = left + mass * dot(n.next, n.next), alone = alone + mass * dot(n.b, n.b);
     }
     left = sum(left);

@@ -18,8 +18,10 @@ constexpr double kFirstGap = 0.1;    // the least gap to start with, over the re
 constexpr double kInside = 0.95;     // how much of the way to a tension or gap of 0 an iteration goes
 constexpr double kBarrierFall = 0.1; // the barrier of an iteration over the mean of tensions times gaps
 // Where an iteration goes less than this part of its way, some products of tension and gap are far from their mean: to
-// bring them together, the next one's barrier is as far above it as others are below.
+// bring them together, the next one's barrier is as far above it as others are below. From iteration kRises on it stays,
+// or they may go round in a circle, but for contacts: what comes and goes needs it to rise.
 constexpr double kStuck = 0.1;
+constexpr size_t kRises = 100;
 
 // ---- springs -------------------------------------------------------------------------------------------------------
 
@@ -204,7 +206,8 @@ template <int N> void RopeBundle<N>::interior(size_t most) {
         for (size_t i = 0; i < spring_count; ++i)
             inside =
                 inside + select(springs[i].moves, springs[i].per_length * (springs[i].tension * springs[i].gap), L{});
-        const L falls = select(went - L::splat(kStuck), L::splat(kBarrierFall), L::splat(1 / kBarrierFall));
+        const double rise = k < kRises || has_contacts() ? 1 / kBarrierFall : 1;
+        const L falls = select(went - L::splat(kStuck), L::splat(kBarrierFall), L::splat(rise));
         const L wanted = share * falls * sum(inside);
         if (k == 0) highest = wanted;
         const L barrier = smaller(wanted, highest); // what rises without a bound takes nodes out of all numbers

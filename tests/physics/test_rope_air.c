@@ -134,10 +134,14 @@ static void a_swing_in_air_is_of_second_order(void** state) {
     for (int i = 1; i < 3; ++i) assert_true(error[i - 1] > 3.5 * error[i]);
 }
 
-/* A crumpled rope in any air, by any steps: its energy, as seen from the air, never rises. */
+/* A crumpled rope in any air, by any steps: its energy, as seen from the air, never rises. And five in which iterations
+ * of the interior point would go round in a circle. */
 static void air_takes_energy_at_any_dt(void** state) {
     (void)state;
-    for (int number = 0; number < 500; ++number) {
+    enum { RANDOM = 500 };
+    static const int others[] = {1817, 5931, 10351, 11389, 11773};
+    for (int scene = 0; scene < RANDOM + (int)COUNT(others); ++scene) {
+        const int number = scene < RANDOM ? scene : others[scene - RANDOM];
         uint64_t seed = 5000 + (uint64_t)number;
         double x[NODES][3], v[NODES][3], wind[3], way[3] = {1, 0, 0}, none[3] = {0, 0, 0};
         const double lambda = number % 3 == 0 ? 1 : 0.75 + 0.25 * random_number(&seed);

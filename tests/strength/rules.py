@@ -199,7 +199,9 @@ RULES = CLOTH_RULES | {
         TOUCHES),
     "but is no more than rounding bears": ("rope_step.cpp", "kMostAdded = 1e6;", "kMostAdded = 1e300;", TOUCHES),
     "the interior point's barrier rises where an iteration is stuck": (
-        "rope_step.cpp", "L::splat(1 / kBarrierFall)", "L::splat(kBarrierFall)", ["physics_bed"]),
+        "rope_step.cpp", "has_contacts() ? 1 / kBarrierFall : 1", "has_contacts() ? kBarrierFall : 1", ["physics_bed"]),
+    "but, where nothing touches, at last stays where it is": (
+        "rope_step.cpp", "k < kRises || has_contacts() ?", "true ?", ["physics_rope_air"]),
     "but not beyond what it was to begin with": (
         "rope_step.cpp", "barrier = smaller(wanted, highest)", "barrier = wanted", ["stability_ropes"]),
     "and stiff joints count for it": ("rope_step.cpp", "* bent() : L{}", "* L{} : L{}", ["stability_ropes"]),
@@ -292,14 +294,12 @@ RULES = CLOTH_RULES | {
     "pushes act along the normal at the start": (
         "rope_contact.hh", "        const L changed =", "        c.acting = c.normal;\n        const L changed =",
         TOUCHES),
-    "what lay inside is not thrown": ("rope_contact.hh", "        n.next = n.next - speed_out(i);\n", "", TOUCHES),
-    "and leaves several colliders together": (
-        "rope_contact.hh", "(-1 / stage.dt) * c.before - dot(c.normal, out)", "(-1 / stage.dt) * c.before", OVERLAPS),
+    "what lay inside is not thrown": ("rope_contact.hh", "        n.next = n.next - velocity_out(i);\n", "", TOUCHES),
+    "and leaves several colliders together": ("collider.cpp", "b < a; ++b", "b < 0; ++b", OVERLAPS),
+    "up to three": ("collider.cpp", "c <= b; ++c", "c < 1; ++c", OVERLAPS),
+    "but not what has no edge": ("collider.cpp", "kFlat = 1e-6", "kFlat = -1", OVERLAPS),
     "and enters none that it meets on its way out": (
-        "rope_contact.hh", "meets = goes_on * c.on;", "meets = goes_on * c.on * positive(L{} - c.before);", OVERLAPS),
-    "by sweeps that go further, where walls lean by a few degrees": (
-        "rope_contact.hh", "kFurther = 1.7;", "kFurther = 1;", OVERLAPS),
-    "as many as that takes": ("rope_contact.hh", "kSweepsOut = 100;", "kSweepsOut = 16;", OVERLAPS),
+        "collider.cpp", "return of.on[k * of.contact_step + lane] > 0 &&", "return speed(k) > 0 &&", OVERLAPS),
     "and what lies on an axis across it": (
         "rope_contact.hh", "    way_off_line(to.way, ropes.components, out);\n", "    out[0] = 1;\n", OVERLAPS),
     "nor is its strand": ("rope_contact.hh", "if (!any_positive(lost)) return;", "return;", TOUCHES),
