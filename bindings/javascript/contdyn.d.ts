@@ -1431,9 +1431,9 @@ export class Membrane extends Handle {
 
   /**
    * What keeps cloth from crumpling: springs along u and v that are shorter than their length push by c (L - l), longer
-   * ones pull by as much, c dealt out as a stiffness of mass * rate. rate [1/s^2] >= 0, default 10; strong wind wants
-   * more:
-   * at 8 m/s up to 1.1% of a flag folds sharply, at 100 none. It damps folds from node to node, and no other turning.
+   * ones pull by as much, c dealt out as a stiffness of mass * rate. rate [1/s^2] >= 0, default 80: flags of a metre
+   * wave
+   * in winds up to 12 m/s without folding sharply; smaller ones want more. It damps folds from node to node alone.
    */
   get compression(): number;
   set compression(value: number);

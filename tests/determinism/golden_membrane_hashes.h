@@ -59,6 +59,6 @@
 {9, 3, 0, {0x3d0fe91e35e3c78f, 0xf875ebadc490f80b}}, /* everything, tube */
 {9, 0, 1, {0x531346c2f77db88a, 0xdaf2406c65b1fe9c}}, /* everything, tube */
 {9, 3, 1, {0xf5289829d0c361ab, 0xf14f6bf7992a2c4e}}, /* everything, tube */
-{10, 0, 0, {0xe2c45022bb3002bf, 0xb8f9eb615cca934e}}, /* sail */
-{11, 0, 0, {0x387fb28579477f6f, 0x783269a6fd014ebe}}, /* lengths */
-{12, 0, 0, {0x02dcb6a546d29cfc, 0xc18dd24d1103a53e}}, /* lengths, tube */
+{10, 0, 0, {0x1b2590e4e1e8ee5b, 0x5572968df3828638}}, /* sail */
+{11, 0, 0, {0x977d0f668f51974c, 0x34fe3fb8f72df5d2}}, /* lengths */
+{12, 0, 0, {0xea8db9ac3bb59eaa, 0x1c3d27c192df0329}}, /* lengths, tube */

@@ -2375,9 +2375,8 @@ function Membrane:get_shear()
 end
 
 -- What keeps cloth from crumpling: springs along u and v that are shorter than their length push by c (L - l), longer
--- ones pull by as much, c dealt out as a stiffness of mass * rate. rate [1/s^2] >= 0, default 10; strong wind wants
--- more: at 8 m/s up to 1.1% of a flag folds sharply, at 100 none. It damps folds from node to node, and no other
--- turning.
+-- ones pull by as much, c dealt out as a stiffness of mass * rate. rate [1/s^2] >= 0, default 80: flags of a metre wave
+-- in winds up to 12 m/s without folding sharply; smaller ones want more. It damps folds from node to node alone.
 function Membrane:set_compression(rate)
   local where = "cd_membrane_set_compression"
   rate = number_in(rate, where, "rate")
@@ -2386,9 +2385,8 @@ function Membrane:set_compression(rate)
 end
 
 -- What keeps cloth from crumpling: springs along u and v that are shorter than their length push by c (L - l), longer
--- ones pull by as much, c dealt out as a stiffness of mass * rate. rate [1/s^2] >= 0, default 10; strong wind wants
--- more: at 8 m/s up to 1.1% of a flag folds sharply, at 100 none. It damps folds from node to node, and no other
--- turning.
+-- ones pull by as much, c dealt out as a stiffness of mass * rate. rate [1/s^2] >= 0, default 80: flags of a metre wave
+-- in winds up to 12 m/s without folding sharply; smaller ones want more. It damps folds from node to node alone.
 function Membrane:get_compression()
   local where = "cd_membrane_get_compression"
   local out_rate = double_1()
