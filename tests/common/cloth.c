@@ -262,7 +262,7 @@ void cloth_assert_defaults(const cd_membrane* membrane) {
     ok(cd_membrane_get_thickness(membrane, &thickness));
     ok(cd_membrane_get_breaking_strain(membrane, &breaking));
     ok(cd_membrane_get_broken(membrane, &broken));
-    assert_true(length[0] == 0 && length[1] == 0 && shear == 0 && rate == 10 && newton == 3 && gradient == 0);
+    assert_true(length[0] == 0 && length[1] == 0 && shear == 0 && rate == 80 && newton == 3 && gradient == 0);
     assert_true(air[0] == 0 && air[1] == 0 && colliders == 0 && thickness == 0);
     assert_true(isinf(breaking) && breaking > 0 && broken == 0);
     for (size_t k = 0; k < components; ++k) assert_true(wind[k] == 0);
