@@ -226,7 +226,7 @@ CD_API cd_status cd_membrane_get_shear(const cd_membrane* membrane, double* out_
 
 /* What keeps cloth from crumpling: springs along u and v that are shorter than their length push by c (L - l), longer
  * ones pull by as much, c dealt out as a stiffness of mass * rate. rate [1/s^2] >= 0, default 80: flags of a metre wave
- * in winds up to 12 m/s without folding sharply; smaller ones want more. It damps folds from node to node alone. */
+ * in winds up to 12 m/s with 0.4% folded sharply at most; smaller ones want more. It damps folds from node to node. */
 CD_API cd_status cd_membrane_set_compression(cd_membrane* membrane, double rate);
 CD_API cd_status cd_membrane_get_compression(const cd_membrane* membrane, double* out_rate);
 

@@ -89,6 +89,9 @@ inline size_t most_contacts(size_t colliders) { return colliders < kMostTouched 
 size_t find_contacts(Membrane& m, ClothWork& w, double now, double dt);
 // Friction goes by the pushes at `velocity` from here on, where the residual without contacts is `rest`.
 void take_pushes(const ClothWork& w, size_t contacts, double dt, double* const* velocity, double* const* rest);
+// Finds in w what leads nodes that lie inside colliders out of there: `image` gets it, and `trial` the rest of w. False if
+// none lies inside.
+bool find_ways_out(const ClothWork& w, size_t contacts, double dt);
 // Whether the velocities w lead into a collider; the parts that touch one are bound from here on.
 bool touches(const ClothWork& w, size_t contacts, double dt);
 // Widens the ranges of velocities at the first nodes of bound parts by those of the colliders that these have met.

@@ -235,6 +235,23 @@ void take_pushes(const ClothWork& w, size_t contacts, double dt, double* const* 
     }
 }
 
+bool find_ways_out(const ClothWork& w, size_t contacts, double dt) {
+    bool any = false;
+    for (const ClothContact* c = w.contacts; c < w.contacts + contacts; ++c) {
+        if (!(c->gap < 0)) continue;
+        const size_t at = size_t(c->at);
+        const auto each = [&](size_t i) {
+            for (int k = 0; k < 3; ++k) w.trial[k][i] = w.w[k][i], w.image[k][i] = 0;
+        };
+        if (!any) w.each_place(each);
+        any = true;
+        const double out =
+            fmax(0, fmin(dot({{c->normal[0], c->normal[1], c->normal[2]}}, vector_at(w.trial, at)), -c->gap / dt));
+        for (int k = 0; k < 3; ++k) w.trial[k][at] -= out * c->normal[k], w.image[k][at] += out * c->normal[k];
+    }
+    return any;
+}
+
 bool touches(const ClothWork& w, size_t contacts, double dt) {
     bool any = false;
     for (size_t i = 0; i < contacts; ++i) {

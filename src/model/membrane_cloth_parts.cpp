@@ -31,7 +31,7 @@ bool share_momentum(const ClothWork& w, size_t contacts) {
         kept[0] = own[0] * x + own[3] * y + own[4] * z;
         kept[1] = own[3] * x + own[1] * y + own[5] * z;
         kept[2] = own[4] * x + own[5] * y + own[2] * z;
-        for (int k = 0; k < 3; ++k) force[k][part] += w.rhs[k][at], missing[k][part] += w.rhs[k][at] - kept[k];
+        for (int k = 0; k < 3; ++k) force[k][part] += w.given[k][at], missing[k][part] += w.given[k][at] - kept[k];
     });
     if (CD_WITH_CONTACT) widen_by_contacts(w, contacts, missing, force);
     bool any = false;

@@ -347,10 +347,14 @@ struct ClothStep {
     void unfold() const {
         double *const *const along_u = w.conjugate, *const *const along_v = w.error;
         copy(w.given, w.rhs);
-        wrap(w.w);
+        // What leads a node out of a collider is its own, and not what its neighbours expect.
+        const bool out = CD_WITH_CONTACT && find_ways_out(w, contacts, dt);
+        double* const* const going = out ? w.trial : w.w;
+        wrap(going);
         rows([&](size_t first, size_t count, double*) {
-            cloth().smooth(w.grid, w.springs(), w.w, w.expected, first, count);
+            cloth().smooth(w.grid, w.springs(), going, w.expected, first, count);
         });
+        if (out) add(1, w.image, w.expected);
         wrap(w.expected);
         rows([&](size_t first, size_t count, double*) {
             cloth().unfold(w.grid, w.springs(), h, dt, w.from, w.expected, along_u, along_v, first, count);

@@ -60,5 +60,5 @@
 {9, 0, 1, {0x531346c2f77db88a, 0xdaf2406c65b1fe9c}}, /* everything, tube */
 {9, 3, 1, {0xf5289829d0c361ab, 0xf14f6bf7992a2c4e}}, /* everything, tube */
 {10, 0, 0, {0x1b2590e4e1e8ee5b, 0x5572968df3828638}}, /* sail */
-{11, 0, 0, {0x977d0f668f51974c, 0x34fe3fb8f72df5d2}}, /* lengths */
-{12, 0, 0, {0xea8db9ac3bb59eaa, 0x1c3d27c192df0329}}, /* lengths, tube */
+{11, 0, 0, {0xb96bffd935056ff1, 0x7809940e1b8e4697}}, /* lengths */
+{12, 0, 0, {0x7aa1f6b48b0fb7e5, 0xfcad842cdf628287}}, /* lengths, tube */

@@ -335,7 +335,7 @@ static void energy_of_random_sheets_never_rises(void** state) {
 }
 
 /* Sheets that begin inside a resting plane, up to 10 cm deep, come out of it in a step; and no node is faster then than
- * it was, but by what the springs that came out unevenly give. */
+ * it was, but by the little that springs which came out unevenly give. */
 static void what_begins_inside_comes_out_and_is_not_thrown(void** state) {
     (void)state;
     static const double floor[3] = {0, 0, 0}, up[3] = {0, 1, 0}, lambdas[] = {0.5, 0.7, 1};
@@ -363,7 +363,7 @@ static void what_begins_inside_comes_out_and_is_not_thrown(void** state) {
             assert_true(r.of_allowed <= 1);
             assert_true(lowest > -1e-3);
             if (!uneven) assert_true(highest < 1e-3 && fastest < 1e-6);
-            else assert_true(highest < 0.25 && fastest < 6);
+            else assert_true(highest < 0.01 && fastest < 0.05);
             cd_membrane_destroy(m);
         }
 }

@@ -59,6 +59,9 @@ CLOTH_RULES = {
     "and where an iteration finds that it leads": (
         CLOTH_STEP, "kExpectations = 3;", "kExpectations = 1;", ["physics_cloth_size"]),
     "but not for ever": (CLOTH_STEP, "kExpectations = 3;", "kExpectations = 1000;", ["physics_cloth_size"]),
+    "but ways out of colliders are nothing that neighbours share": (
+        CLOTH_STEP, "const bool out = CD_WITH_CONTACT && find_ways_out(w, contacts, dt);", "const bool out = false;",
+        ["stability_cloth"]),
     "by no more than its length": (
         "cloth_springs.cpp", "length / larger(root(dot(moves, moves)), length) * moves", "moves",
         ["stability_cloth", "physics_cloth_motion", "physics_cloth_tears", "physics_cloth", "physics_cloth_size"]),

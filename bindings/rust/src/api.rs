@@ -2407,16 +2407,16 @@ impl Membrane {
 
     /// What keeps cloth from crumpling: springs along u and v that are shorter than their length push by c (L - l),
     /// longer ones pull by as much, c dealt out as a stiffness of mass \* rate. rate \[1/s^2\] \>= 0, default 80: flags
-    /// of a metre wave in winds up to 12 m/s without folding sharply; smaller ones want more. It damps folds from node
-    /// to node alone.
+    /// of a metre wave in winds up to 12 m/s with 0.4% folded sharply at most; smaller ones want more. It damps folds
+    /// from node to node.
     pub fn set_compression(&mut self, rate: f64) -> Result<()> {
         check(unsafe { sys::cd_membrane_set_compression(self.as_ptr(), rate) })
     }
 
     /// What keeps cloth from crumpling: springs along u and v that are shorter than their length push by c (L - l),
     /// longer ones pull by as much, c dealt out as a stiffness of mass \* rate. rate \[1/s^2\] \>= 0, default 80: flags
-    /// of a metre wave in winds up to 12 m/s without folding sharply; smaller ones want more. It damps folds from node
-    /// to node alone.
+    /// of a metre wave in winds up to 12 m/s with 0.4% folded sharply at most; smaller ones want more. It damps folds
+    /// from node to node.
     pub fn get_compression(&self) -> Result<f64> {
         let mut out_rate = 0.0;
         check(unsafe { sys::cd_membrane_get_compression(self.as_ptr(), &mut out_rate) })?;
