@@ -52,10 +52,6 @@ template <class T> void look_at_water(const Water& w, const T* depth, Plate& p) 
     p.bed = beds, p.surface = beds + depths;
 }
 
-} // namespace
-
-namespace {
-
 constexpr double kReach = 2; // cells that what bears a plate reaches from its middle
 
 // The cells that lie so near to a hull along an axis: [first, end).

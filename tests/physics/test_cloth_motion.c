@@ -475,7 +475,7 @@ static void what_does_not_crumple_turns(void** state) {
                              lost = spin_left(0, dts[d], lambdas[l]) - with;
                 print_message("compression %g, dt %.4f, lambda %g: %.5f of the spin is left, %.5f less for it\n",
                               rates[r], dts[d], lambdas[l], with, lost);
-                assert_true(lost < 1e-4 && with < 1 && (lost > -1e-5 || rates[r] > 100 || d == 0)); /* nor gains any */
+                assert_true(lost < 1e-4 && lost > (rates[r] > 100 ? -8e-3 : d == 0 ? -4e-3 : -1e-5) && with < 1);
             }
 }
 
