@@ -190,4 +190,19 @@ cd_status create_chain(const char* function, size_t strands, size_t springs, siz
     return CD_OK;
 }
 
+SleepingPart sleeping_part(const Chain& c, size_t part) {
+    const size_t width = has_lengths(c) ? 1 : c.strands;
+    return {part,
+            c.nodes * width,
+            place(c, part, 0, 0),
+            width,
+            c.pitch,
+            c.components,
+            1,
+            [](const Body& b, const SleepingPart& of, size_t i) {
+                const Chain& chain = static_cast<const Chain&>(b);
+                return held(chain, own_place(chain, of.number, i / of.width));
+            }};
+}
+
 } // namespace cd

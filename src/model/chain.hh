@@ -223,18 +223,9 @@ uint64_t step_chain(Chain& c, double dt, size_t count);
 double stable_dt(const Chain& c); // chain_limit.cpp
 
 // Part of a chain that sleeps as a whole, see model/sleep.hh: a strand, where strands are individuals, or all of them.
-struct ChainPart {
-    const Chain& c;
-    size_t number, strands, nodes;
-    static constexpr size_t step = 1;
+SleepingPart sleeping_part(const Chain& c, size_t part);
 
-    ChainPart(const Chain& chain, size_t part)
-        : c(chain), number(part), strands(c.strands / own_strands(c)), nodes(c.nodes * strands) {}
-    size_t place(size_t i) const { return cd::place(c, number + i % strands, i / strands, 0); }
-    bool held(size_t i) const { return cd::held(c, own_place(c, number + i % strands, i / strands)); }
-};
-
-inline size_t awake_nodes(const Chain& c) { return (own_strands(c) - sleeping_parts(c)) * ChainPart(c, 0).nodes; }
+inline size_t awake_nodes(const Chain& c) { return (own_strands(c) - sleeping_parts(c)) * sleeping_part(c, 0).nodes; }
 
 // ---- springs that have a length (chain_rope.cpp) --------------------------------------------------------------------
 

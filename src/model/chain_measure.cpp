@@ -8,12 +8,12 @@ namespace cd {
 
 namespace {
 
-template <class T> struct Measure {
+struct Measure {
     const Chain& c;
-    const T *x = numbers<T>(c.position), *v = numbers<T>(c.velocity), *target = numbers<T>(c.target);
+    StateNumbers x = state_of(c, c.position), v = state_of(c, c.velocity), target = state_of(c, c.target);
 
     size_t after(size_t i) const { return i + 1 < c.nodes ? i + 1 : 0; }
-    double at(const T* data, size_t node, size_t line) const { return double(data[node * c.pitch + line]); }
+    double at(const StateNumbers& of, size_t node, size_t line) const { return of[node * c.pitch + line]; }
 
     // The lines of strands that share their numbers: all, or in ropes one strand's.
     struct Part {
@@ -83,15 +83,13 @@ template <class T> struct Measure {
 
 void energy(const Chain& c, double& kinetic, double& elastic, double& gravity) {
     Sum sums[3];
-    by_precision(c, [&](auto zero) { Measure<decltype(zero)>{c}.energy(sums[0], sums[1], sums[2]); });
+    Measure{c}.energy(sums[0], sums[1], sums[2]);
     kinetic = sums[0].value();
     elastic = sums[1].value();
     gravity = sums[2].value();
 }
 
-void momentum(const Chain& c, double* out) {
-    by_precision(c, [&](auto zero) { Measure<decltype(zero)>{c}.momentum(out); });
-}
+void momentum(const Chain& c, double* out) { Measure{c}.momentum(out); }
 
 // A spring of a rope: its vector, and how long that is, also where squares overflow.
 static double vector_of(const Chain& c, size_t strand, size_t spring, double* out) {

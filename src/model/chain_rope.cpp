@@ -189,7 +189,8 @@ uint64_t step_ropes(Chain& c, double dt, size_t count) {
                 const Surroundings around(c, c.rope.thickness, dt, now.time_after);
                 size_t awake[kStrandsInTurn], several = 0;
                 for (size_t strand = first; strand < end && strand < first + kStrandsInTurn; ++strand)
-                    if (!goes_on_sleeping(c, ChainPart(c, strand), around)) awake[several++] = strand;
+                    if (!sleeps(c, strand) || !goes_on_sleeping(c, sleeping_part(c, strand), around))
+                        awake[several++] = strand;
                 if (several == 0) continue;
                 for (size_t i = 0; i < several && c.loads; ++i)
                     memset(c.loads.data + awake[i] * of_strand, 0, of_strand * sizeof(double));
@@ -199,7 +200,7 @@ uint64_t step_ropes(Chain& c, double dt, size_t count) {
                 if (!result.finite && s < bad[t]) bad[t] = s;
                 for (size_t i = 0; i < several; ++i) {
                     if (can_break(c)) broken[t] += breaks(c, awake[i], result.error <= c.rope.tolerance);
-                    if (may_sleep(c)) fall_asleep(c, ChainPart(c, awake[i]), around);
+                    if (may_sleep(c)) fall_asleep(c, sleeping_part(c, awake[i]), around);
                 }
             }
     };

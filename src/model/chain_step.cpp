@@ -454,7 +454,7 @@ static uint64_t step_until_asleep(Chain& c, double dt, size_t count) {
     uint64_t bad = UINT64_MAX;
     for (size_t s = 0; s < count && !sleeps(c, 0); ++s) {
         if (step_lines(c, dt, 1) != UINT64_MAX && bad == UINT64_MAX) bad = s;
-        fall_asleep(c, ChainPart(c, 0), {c, 0, dt, 0}); // nothing is around it
+        fall_asleep(c, sleeping_part(c, 0), {c, 0, dt, 0}); // nothing is around it
     }
     return bad;
 }

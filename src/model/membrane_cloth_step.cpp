@@ -193,11 +193,8 @@ struct ClothStep {
     }
     // What moves goes on: what the last step changed is the first such direction.
     void load_change() const {
-        by_precision(m, [&](auto zero) {
-            each_number_of_state<decltype(zero)>(m.change, [&](size_t k, size_t at, auto& number) {
-                w.recycled[0][k][at] = w.moves[at] * double(number);
-            });
-        });
+        const StateNumbers change = state_of(m, m.change);
+        each_number([&](size_t k, size_t at, size_t i) { w.recycled[0][k][at] = w.moves[at] * change[i]; });
     }
 
     // direction = matrix^-1 residual, nearly. False where nothing could be found.
@@ -378,7 +375,8 @@ struct ClothStep {
 
     // Positions, velocities, what a node would do by itself, and what resists it.
     void start(double now) {
-        by_precision(m, [&](auto zero) { load<decltype(zero)>(); });
+        const StateNumbers x = state_of(m, m.position), v0 = state_of(m, m.velocity);
+        each_number([&](size_t k, size_t at, size_t i) { w.from[k][at] = x[i], w.w[k][at] = v0[i]; });
         if (m.pressure != 0) press(m);
         for (size_t v = 0; v < m.rows; ++v)
             for (size_t u = 0; u < m.columns; ++u) {
@@ -404,33 +402,26 @@ struct ClothStep {
         }
         copy(w.rhs, w.given);
     }
-    template <class T> void load() const {
-        each_number_of_state<T>(m.position, [&](size_t k, size_t at, T& x) { w.from[k][at] = double(x); });
-        each_number_of_state<T>(m.velocity, [&](size_t k, size_t at, T& v) { w.w[k][at] = double(v); });
-    }
-    // f(component, place in the planes, number)
-    template <class T, class F> void each_number_of_state(const Array<char>& array, F f) const {
+    // f(component, place in the planes, place in an array of the state)
+    template <class F> void each_number(F f) const {
         for (size_t k = 0; k < 3; ++k)
-            for (size_t v = 0; v < m.rows; ++v) {
-                T* const number = numbers<T>(array) + place(m, 0, v, k);
-                for (size_t u = 0; u < m.columns; ++u) f(k, w.place(u, v), number[u]);
-            }
+            for (size_t v = 0; v < m.rows; ++v)
+                for (size_t u = 0; u < m.columns; ++u) f(k, w.place(u, v), place(m, u, v, k));
     }
 
     // False if a number left the finite range.
     bool finish() const {
-        return by_precision(m, [&](auto zero) { return store<decltype(zero)>(); });
-    }
-    template <class T> bool store() const {
+        const StateNumbers x = state_of(m, m.position), v = state_of(m, m.velocity), change = state_of(m, m.change);
+        const double least = x.range().least;
         bool finite = true;
-        const auto put = [&](double value, T& to) {
-            to = fabs(value) < Limits<T>::least ? T(0) : T(value);
-            return isfinite(to) != 0;
+        const auto put = [&](double value, const StateNumbers& to, size_t i) {
+            to.put(i, fabs(value) < least ? 0 : value);
+            return isfinite(to[i]) != 0;
         };
-        each_number_of_state<T>(m.velocity, [&](size_t k, size_t at, T& v) { w.trial[k][at] = double(v); });
-        // What a collider gave does not go on.
-        each_number_of_state<T>(m.change, [&](size_t k, size_t at, T& change) {
-            if (touched || !put(w.w[k][at] - w.trial[k][at], change)) change = 0;
+        each_number([&](size_t k, size_t at, size_t i) {
+            w.trial[k][at] = v[i];
+            // What a collider gave does not go on.
+            if (touched || !put(w.w[k][at] - w.trial[k][at], change, i)) change.put(i, 0);
         });
         const double share = 1 / m.lambda; // v1 = v0 + (w - v0) / lambda
         if (share != 1) combine(1 - share, w.trial, share, w.w, w.trial);
@@ -438,8 +429,10 @@ struct ClothStep {
         if (CD_WITH_CONTACT) settle_contacts(w, contacts, dt, m.lambda, w.trial);
         add(dt, w.w, w.from);
         if (CD_WITH_CONTACT && m.loads) tell_loads(m, w, contacts, dt);
-        each_number_of_state<T>(m.position, [&](size_t k, size_t at, T& x) { finite &= put(w.from[k][at], x); });
-        each_number_of_state<T>(m.velocity, [&](size_t k, size_t at, T& v) { finite &= put(w.trial[k][at], v); });
+        each_number([&](size_t k, size_t at, size_t i) {
+            finite &= put(w.from[k][at], x, i);
+            finite &= put(w.trial[k][at], v, i);
+        });
         return finite;
     }
 

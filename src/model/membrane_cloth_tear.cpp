@@ -43,9 +43,9 @@ struct Tear {
     }
 
     // Of each line what run() and all() go by. To see that a spring is far from tearing takes no root and no division.
-    template <class T> void find_worst() const {
+    void find_worst() const {
         for (size_t line = 0; line < nodes_along(m, other(d)); ++line) worst[line * stride] = 1;
-        const T* const x = numbers<T>(m.position);
+        const StateNumbers x = state_of(m, m.position);
         const size_t columns = d == kU ? springs_along(m, kU) : m.columns,
                      rows = d == kV ? springs_along(m, kV) : m.rows;
         const double length = uniform_length(m, d);
@@ -54,11 +54,11 @@ struct Tear {
                 const size_t at = node_at(m, u, v), i = d == kU ? u : v, line = d == kU ? v : u;
                 const double rest = m.spring_length[d] ? m.spring_length[d][at] : length;
                 const double strain = m.breaking_strain[d] ? m.breaking_strain[d][at] : m.cloth.breaking_strain;
-                const T* const from = x + cd::place(m, u, v, 0);
-                const T* const to = d == kU ? from + after(m, kU, u) - u : x + cd::place(m, u, after(m, kV, v), 0);
+                const size_t from = cd::place(m, u, v, 0);
+                const size_t to = cd::place(m, d == kU ? after(m, kU, u) : u, d == kV ? after(m, kV, v) : v, 0);
                 double square = 0;
                 for (size_t k = 0; k < 3; ++k) {
-                    const double way = double(to[k * m.plane]) - double(from[k * m.plane]);
+                    const double way = x[to + k * m.plane] - x[from + k * m.plane];
                     square += way * way;
                 }
                 const double reach = rest * (1 + strain);
@@ -69,7 +69,7 @@ struct Tear {
     }
 
     size_t all() const {
-        by_precision(m, [&](auto zero) { find_worst<decltype(zero)>(); });
+        find_worst();
         const size_t lines = nodes_along(m, other(d));
         size_t torn = 0;
         for (;;) {

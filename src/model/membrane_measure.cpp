@@ -7,12 +7,12 @@ namespace cd {
 
 namespace {
 
-template <class T> struct Measure {
+struct Measure {
     const Membrane& m;
-    const T *x = numbers<T>(m.position), *v = numbers<T>(m.velocity), *target = numbers<T>(m.target);
+    StateNumbers x = state_of(m, m.position), v = state_of(m, m.velocity), target = state_of(m, m.target);
     double scale = 1; // of positions, in volumes
 
-    double at(const T* data, size_t u, size_t v_, size_t k) const { return double(data[place(m, u, v_, k)]); }
+    double at(const StateNumbers& of, size_t u, size_t v_, size_t k) const { return of[place(m, u, v_, k)]; }
 
     // f(u, v) for every node that is there
     template <class F> void each_node(F f) const {
@@ -81,7 +81,7 @@ template <class T> struct Measure {
     // det(p, q, r): six times the volume between the triangle and the origin
     static double wedge(const Vector& p, const Vector& q, const Vector& r) { return dot(p, cross(q, r)); }
 
-    __attribute__((cold, noinline)) double volume() const {
+    __attribute__((noinline)) double volume() const {
         Sum sum;
         for (size_t j = 0; j < springs_along(m, kV); ++j)
             for (size_t i = 0; i < springs_along(m, kU); ++i) {
@@ -100,27 +100,23 @@ template <class T> struct Measure {
 
 void energy(const Membrane& m, double& kinetic, double& elastic, double& gravity) {
     Sum sums[3];
-    by_precision(m, [&](auto zero) { Measure<decltype(zero)>{m}.energy(sums[0], sums[1], sums[2]); });
+    Measure{m}.energy(sums[0], sums[1], sums[2]);
     kinetic = sums[0].value();
     elastic = sums[1].value();
     gravity = sums[2].value();
 }
 
-void momentum(const Membrane& m, double* out) {
-    by_precision(m, [&](auto zero) { Measure<decltype(zero)>{m}.momentum(out); });
-}
+void momentum(const Membrane& m, double* out) { Measure{m}.momentum(out); }
 
 // Products that leave double may be both infinities, whose sum is no number: they are then made smaller.
 double volume(const Membrane& m) {
-    return by_precision(m, [&](auto zero) {
-        Measure<decltype(zero)> measure{m};
-        double sum = measure.volume();
-        while (!(sum - sum == 0) && measure.scale > 0x1p-800) {
-            measure.scale *= 0x1p-60;
-            sum = measure.volume();
-        }
-        return sum / measure.scale / measure.scale / measure.scale;
-    });
+    Measure measure{m};
+    double sum = measure.volume();
+    while (!(sum - sum == 0) && measure.scale > 0x1p-800) {
+        measure.scale *= 0x1p-60;
+        sum = measure.volume();
+    }
+    return sum / measure.scale / measure.scale / measure.scale;
 }
 
 } // namespace cd

@@ -11,13 +11,13 @@ namespace cd {
 
 namespace {
 
-template <class T> struct Presser {
+struct Presser {
     const Membrane& m;
-    const T* x = numbers<T>(m.position);
+    StateNumbers x = state_of(m, m.position);
 
     Vector place(size_t u, size_t v) const {
         const size_t at = v * m.pitch + u;
-        return {double(x[at]), double(x[at + m.plane]), double(x[at + 2 * m.plane])};
+        return {x[at], x[at + m.plane], x[at + 2 * m.plane]};
     }
     // The neighbour one step away along d, round a ring; false if there is none.
     bool step(Direction d, int by, size_t& u, size_t& v) const {
@@ -59,17 +59,13 @@ template <class T> struct Presser {
     }
 };
 
-template <class T> void press_all(const Membrane& m) {
-    const Presser<T> presser{m};
-    in_parts(m.parallel, m.rows, m.columns, [&](size_t first, size_t count) {
-        for (size_t v = first; v < first + count; ++v) presser.row(v);
-    });
-}
-
 } // namespace
 
 void press(Membrane& m) {
-    by_precision(m, [&](auto zero) { press_all<decltype(zero)>(m); });
+    const Presser presser{m};
+    in_parts(m.parallel, m.rows, m.columns, [&](size_t first, size_t count) {
+        for (size_t v = first; v < first + count; ++v) presser.row(v);
+    });
 }
 
 } // namespace cd

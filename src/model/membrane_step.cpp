@@ -417,18 +417,12 @@ static MembraneOutcome make_steps(Membrane& m, double dt, size_t count) {
     return step_springs(m, dt, count);
 }
 
-namespace {
-
 // All of a membrane, as what sleeps: see model/sleep.hh.
-struct Whole {
-    const Membrane& m;
-    size_t number = 0, nodes = m.nodes, step = m.plane;
-
-    size_t place(size_t i) const { return cd::place(m, i % m.columns, i / m.columns, 0); }
-    bool held(size_t i) const { return cd::held(m, i % m.columns, i / m.columns); }
-};
-
-} // namespace
+static SleepingPart sleeping_part(const Membrane& m) {
+    return {0, m.nodes, 0, m.columns, m.pitch, 1, m.plane, [](const Body& b, const SleepingPart& part, size_t i) {
+                return held(static_cast<const Membrane&>(b), i % part.width, i / part.width);
+            }};
+}
 
 // As make_steps, of a membrane that may sleep.
 static MembraneOutcome step_until_asleep(Membrane& m, double dt, size_t count) {
@@ -439,7 +433,7 @@ static MembraneOutcome step_until_asleep(Membrane& m, double dt, size_t count) {
         Clock after = m.clock;
         after.advance(dt, 1);
         const Surroundings around(m, m.cloth.thickness, dt, after.time());
-        const bool asleep = goes_on_sleeping(m, Whole{m}, around);
+        const bool asleep = goes_on_sleeping(m, sleeping_part(m), around);
         const size_t broken = m.broken;
         const MembraneOutcome one = asleep ? MembraneOutcome{0, true} : make_steps(m, dt, 1);
         m.clock = after;
@@ -449,7 +443,7 @@ static MembraneOutcome step_until_asleep(Membrane& m, double dt, size_t count) {
         if (m.iterations > worst.iterations) worst.iterations = m.iterations;
         if (m.residual > worst.residual) worst.residual = m.residual;
         if (m.broken > broken) wake(m);
-        fall_asleep(m, Whole{m}, around);
+        fall_asleep(m, sleeping_part(m), around);
     }
     m.iterations = worst.iterations;
     m.residual = worst.residual;

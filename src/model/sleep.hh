@@ -19,51 +19,36 @@ inline bool is_active(const Obstacle& it) {
     return it.callback || it.velocity[0] != 0 || it.velocity[1] != 0 || it.velocity[2] != 0;
 }
 
+// A part of a body that sleeps as a whole. Its nodes lie in rows of `width`: the first components of those of a row
+// `column` numbers apart, of those below each other `row`, and a node's components `step`.
+struct SleepingPart {
+    size_t number, nodes, first, width, row, column, step;
+    bool (*held)(const Body& b, const SleepingPart& part, size_t i);
+
+    // f(node, place of its first component), of one node after the other, until one is false: whether none was.
+    template <class F> bool all(F f) const {
+        for (size_t i = 0, from = first; i < nodes; from += row)
+            for (size_t end = i + width, at = from; i < end; ++i, at += column)
+                if (!f(i, at)) return false;
+        return true;
+    }
+};
+
 // What is around a body in a step of dt that ends at this time.
 struct Surroundings {
     const Body& b;
     double thickness, dt, time;
     bool active = false; // some obstacle is
 
-    Surroundings(const Body& body, double thickness_, double dt_, double time_)
-        : b(body), thickness(thickness_), dt(dt_), time(time_) {
-        each_obstacle(b, thickness, [&](const Obstacle& it) { active |= is_active(it); });
-    }
+    Surroundings(const Body& body, double thickness_, double dt_, double time_);
     // Whether an active obstacle may touch x in the next step, or none can tell.
     bool may_touch(const Obstacle& it, const double* x) const;
     // Whether something keeps a part awake: what only its callback knows, or what moves and comes near.
-    template <class Part> bool keep_awake(const Part& part) const {
-        if (!active) return false;
-        bool touched = false;
-        each_obstacle(b, thickness, [&](const Obstacle& it) {
-            for (size_t i = 0; is_active(it) && !touched && i < part.nodes; ++i) {
-                double x[3] = {};
-                for (size_t k = 0; k < b.components; ++k)
-                    x[k] = get_number(b, b.position, part.place(i) + k * part.step);
-                touched = may_touch(it, x);
-            }
-        });
-        return touched;
-    }
+    bool keep_awake(const SleepingPart& part) const;
 };
 
-// Part: one of a body; it has a number and nodes, of which place(i) tells where the first component lies, and held(i)
-// whether it is held; components lie `step` numbers apart.
-template <class Part> bool is_slow(const Body& b, const Part& part) {
-    const double most = b.sleep_speed * b.sleep_speed;
-    for (size_t i = 0; i < part.nodes; ++i) {
-        double square = 0;
-        for (size_t k = 0; k < b.components; ++k) {
-            const double v = get_number(b, b.velocity, part.place(i) + k * part.step);
-            square += v * v;
-        }
-        if (!(square <= (part.held(i) ? 0 : most))) return false;
-    }
-    return true;
-}
-
 // Before a step, whether it leaves a part as it is: one that sleeps and that nothing keeps awake.
-template <class Part> bool goes_on_sleeping(Body& b, const Part& part, const Surroundings& around) {
+inline bool goes_on_sleeping(Body& b, const SleepingPart& part, const Surroundings& around) {
     if (!sleeps(b, part.number)) return false;
     if (!around.keep_awake(part)) return true;
     wake(b, part.number, 1);
@@ -71,15 +56,6 @@ template <class Part> bool goes_on_sleeping(Body& b, const Part& part, const Sur
 }
 
 // After it: a part that has been slow for long enough stops, and sleeps.
-template <class Part> void fall_asleep(Body& b, const Part& part, const Surroundings& around) {
-    double& calm = b.calm[part.number];
-    if (!is_slow(b, part) || around.keep_awake(part)) {
-        calm = kStirred;
-        return;
-    }
-    calm = calm < 0 ? 0 : fmin(calm + around.dt, b.sleep_seconds);
-    for (size_t i = 0; i < part.nodes && sleeps(b, part.number); ++i)
-        for (size_t k = 0; k < b.components; ++k) set_number(b, b.velocity, part.place(i) + k * part.step, 0);
-}
+void fall_asleep(Body& b, const SleepingPart& part, const Surroundings& around);
 
 } // namespace cd
