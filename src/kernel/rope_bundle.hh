@@ -265,7 +265,7 @@ template <int N> struct RopeBundle {
     L length_at(size_t i) const;
     void look_at_gap(const Obstacle& to, V x, double time, V& normal, L& gap) const;
     __attribute__((noinline)) void look_at_bed(const Obstacle& to, V x, double time, V& normal, L& gap) const;
-    __attribute__((noinline)) void ask_all(bool at_start);
+    __attribute__((cold, noinline)) void ask_all(bool at_start);
     void look_at_end(size_t k, size_t i, V before, V x, Contact& c) const;
     L leaving(size_t i, const Contact& c) const;
     V slip_at(const Collider& to, size_t i, const Contact& c) const;
@@ -487,9 +487,9 @@ template <int N> struct RopeBundle {
     void newton(size_t most);
     __attribute__((cold)) void start_together();
     __attribute__((cold)) void interior(size_t most);
-    L step_inside(L barrier);
+    __attribute__((cold)) L step_inside(L barrier);
     void solve();
-    bool try_again();
+    __attribute__((cold)) bool try_again();
     __attribute__((cold)) void calm();
     __attribute__((noinline)) void take_velocities();
     __attribute__((noinline)) L settle(L follows);

@@ -160,8 +160,9 @@ namespace {
 struct UniformLine {
     const Membrane& m;
     Direction d;
-    double h, sigma;      // sigma: h (h + damping), of an explicit step h
-    const uint8_t* holds; // per node of the line: whether the whole cross line is held
+    double h, sigma;             // sigma: h (h + damping), of an explicit step h
+    const uint8_t* holds;        // per node of the line: whether the whole cross line is held
+    double share = 1, shift = 0; // how much of the drag the line has, of both directions, and what else grounds it
 
     size_t nodes() const { return nodes_along(m, d); }
     bool held(size_t i) const { return holds[i] != 0; }
@@ -179,7 +180,9 @@ struct UniformLine {
         const size_t inside = inside_matched(m, d, i);
         return inside == i ? 0 : sqrt(uniform_stiffness(m, d) / uniform_mass(m) * weight(inside)) / weight(i);
     }
-    double ground(size_t i) const { return held(i) ? double(INFINITY) : weight(i) * (1 + h * m.drag + h * matched(i)); }
+    double ground(size_t i) const {
+        return held(i) ? double(INFINITY) : weight(i) * (share * (1 + h * m.drag) + h * matched(i) + shift);
+    }
     bool repeats(size_t i) const { return i > 1 && i + 1 < nodes() && holds[i] == holds[i - 1]; }
 };
 
@@ -270,15 +273,6 @@ void prepare_lines(const Membrane& m, Work& w, double sigma) {
 
 #if CD_WITH_COUPLED
 
-// A line of a separable sheet with half of the drag, the other direction having the other half, and a shift.
-struct ShiftedLine : UniformLine {
-    double shift;
-
-    double ground(size_t i) const {
-        return held(i) ? double(INFINITY) : weight(i) * ((1 + h * m.drag) / 2 + h * matched(i) + shift);
-    }
-};
-
 void prepare_shifts(const Membrane& m, Work& w, double h, double sigma, uint8_t* const* holds) {
     ShiftedLines& lines = w.preconditioner.lines;
     const double least = (1 + h * m.drag) / 2;
@@ -289,7 +283,7 @@ void prepare_shifts(const Membrane& m, Work& w, double h, double sigma, uint8_t*
     lines.choose(least, greatest);
     for (Direction d : {kU, kV})
         lines.factor(d, nodes_along(m, d), [&](double shift) {
-            return ShiftedLine{{m, d, h, sigma, holds[d]}, shift};
+            return UniformLine{m, d, h, sigma, holds[d], 0.5, shift}; // half of the drag for each direction
         });
     if (lines.ready()) lines.hold(w.system, w.bands, w.strips, w.gradient.start, w.gradient.steep);
 }

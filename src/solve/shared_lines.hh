@@ -25,7 +25,7 @@ struct SharedLines {
     // 1.
     template <class System> void factor(const System& system, bool bend) {
         if (!is_rod) {
-            factor_spring_line(nodes, system, carry, pull, [](size_t, double, bool) {});
+            factor_spring_line(nodes, system, carry, pull);
             pull[nodes - 1] = 0; // and beyond, for sweeps that take whole tiles
             for (size_t i = nodes; i % 8 != 0; ++i) carry[i] = pull[i] = 0;
             return;

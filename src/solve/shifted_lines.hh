@@ -43,7 +43,7 @@ struct ShiftedLines {
             const auto line = system(shift[k]);
             double *const g = gain[d] + k * stride[d], *const c = carry[d] + k * stride[d],
                           *const p = pull[d] + k * stride[d];
-            factor_spring_line(nodes, line, c, p, [](size_t, double, bool) {});
+            factor_spring_line(nodes, line, c, p);
             p[nodes - 1] = 0;
             for (size_t i = 0; i < nodes; ++i) g[i] = line.weight(i) / line.ground(i);
             for (size_t i = nodes; i < stride[d]; ++i) g[i] = c[i] = p[i] = 0;

@@ -49,12 +49,10 @@ void factor_spring_line(size_t nodes, const System& system, Place place, double*
     }
 }
 
-// Of rows in the nodes' order.
-template <class System, class Gains>
-void factor_spring_line(size_t nodes, const System& system, double* carry, double* pull, Gains gains) {
+// Of rows in the nodes' order, of whose gains nobody asks.
+template <class System> void factor_spring_line(size_t nodes, const System& system, double* carry, double* pull) {
     factor_spring_line(
-        nodes, system, [](size_t i) { return i; }, carry, pull,
-        [&](size_t i, double grounded, size_t, bool repeated) { gains(i, grounded, repeated); });
+        nodes, system, [](size_t i) { return i; }, carry, pull, [](size_t, double, size_t, bool) {});
 }
 
 } // namespace cd
