@@ -26,8 +26,8 @@ struct Presser {
         i = by > 0 ? after(m, d, i) : before(m, d, i);
         return true;
     }
-    // Adds the share of a cell to the node (u, v) of it, the cell's other nodes lying at by_u and by_v.
-    void add_cell(size_t u, size_t v, int by_u, int by_v, Vector& sum) const {
+    // Adds the share of a cell to the node (u, v) of it, which lies at a, the cell's other nodes at by_u and by_v.
+    void add_cell(size_t u, size_t v, const Vector& a, int by_u, int by_v, Vector& sum) const {
         size_t b[2] = {u, v}, d[2] = {u, v};
         if (!step(kU, by_u, b[0], b[1]) || !step(kV, by_v, d[0], d[1])) return;
         if (by_u * by_v < 0) { // keep the order round the cell
@@ -42,15 +42,16 @@ struct Presser {
         step(kV, by_v, c[0], c[1]);
         if (!present(m, b[0], b[1]) || !present(m, c[0], c[1]) || !present(m, d[0], d[1])) return;
         if (is_open(m, by_u > 0 ? u : before(m, kU, u), by_v > 0 ? v : before(m, kV, v))) return;
-        const Vector a = place(u, v), pb = place(b[0], b[1]), pc = place(c[0], c[1]), pd = place(d[0], d[1]);
+        const Vector pb = place(b[0], b[1]), pc = place(c[0], c[1]), pd = place(d[0], d[1]);
         sum = sum + (cross(pc - a, pd - pb) / 2 + cross(pb - a, pd - a) / 2) / 6;
     }
     void row(size_t v) const {
         for (size_t u = 0; u < m.columns; ++u) {
             Vector sum;
+            const Vector here = place(u, v);
             if (present(m, u, v))
                 for (int by_v : {-1, 1})
-                    for (int by_u : {-1, 1}) add_cell(u, v, by_u, by_v, sum);
+                    for (int by_u : {-1, 1}) add_cell(u, v, here, by_u, by_v, sum);
             double* const out = m.pressed.data + v * m.pitch + u;
             out[0] = m.pressure * sum.x;
             out[m.plane] = m.pressure * sum.y;
