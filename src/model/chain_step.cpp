@@ -255,8 +255,8 @@ RodRows take_rod(Rows& rows) {
 }
 
 // closing_rate: of springs that are not welded. segments: null where nodes lie in order.
-void close_ring(Chain& c, const StageSystem& system, const RodRows& rod, double closing_rate,
-                const Segments* segments) {
+[[gnu::cold]] void close_ring(Chain& c, const StageSystem& system, const RodRows& rod, double closing_rate,
+                              const Segments* segments) {
     c.closure = {};
     if (!c.ring) return;
     const size_t n = c.nodes;
@@ -396,7 +396,8 @@ size_t explicit_bundle(const Chain& c) {
 
 // Lines never mix, so a bundle of them makes all its steps while it is in the cache. A task is some bundles side by
 // side: threads then write to lines of the cache apart from each other, and each has enough to do.
-template <class Step> uint64_t run(Chain& c, const Step& step, size_t count, size_t bundle_lines = kBundle) {
+uint64_t run(Chain& c, const void* how, bool (*step)(const void* how, size_t first, size_t count), size_t count,
+             size_t bundle_lines) {
     constexpr size_t kNumbers = 1 << 12;
     const size_t bundles = (c.lines + bundle_lines - 1) / bundle_lines;
     const size_t enough = kNumbers / bundle_lines / c.nodes / count, per_task = enough > 0 ? enough : 1;
@@ -406,7 +407,7 @@ template <class Step> uint64_t run(Chain& c, const Step& step, size_t count, siz
         for (size_t b = t * per_task; b < bundles && b < (t + 1) * per_task; ++b) {
             const size_t first = b * bundle_lines, left = c.lines - first;
             for (size_t s = 0; s < count; ++s)
-                if (!step(first, left < bundle_lines ? left : bundle_lines) && s < bad) bad = s;
+                if (!step(how, first, left < bundle_lines ? left : bundle_lines) && s < bad) bad = s;
         }
         uint64_t seen = __atomic_load_n(&first_bad, __ATOMIC_RELAXED);
         while (bad < seen &&
@@ -415,6 +416,13 @@ template <class Step> uint64_t run(Chain& c, const Step& step, size_t count, siz
     };
     parallel_for(c.parallel, (bundles + per_task - 1) / per_task, task);
     return first_bad;
+}
+
+template <class Step> uint64_t run(Chain& c, const Step& how, size_t count, size_t bundle_lines = kBundle) {
+    const auto step = [](const void* of, size_t first, size_t lines) {
+        return (*static_cast<const Step*>(of))(first, lines);
+    };
+    return run(c, &how, step, count, bundle_lines);
 }
 
 uint64_t step_lines(Chain& c, double dt, size_t count) {

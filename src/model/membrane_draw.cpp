@@ -90,7 +90,7 @@ struct Drawer {
         area.add_product((corner[2] - corner[0]) * scale.after,
                          (corner[corners == 4 ? 3 : 0] - corner[1]) * scale.after);
     }
-    Area around(const Node& n, Scale scale) const {
+    [[gnu::noinline]] Area around(const Node& n, Scale scale) const {
         Area area;
         for (ptrdiff_t i : {n.at[kU] - 1, n.at[kU]})
             for (ptrdiff_t j : {n.at[kV] - 1, n.at[kV]}) add_cell(i, j, scale, area);
