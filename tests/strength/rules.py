@@ -172,14 +172,14 @@ RULES = CLOTH_RULES | {
     "a plate's two V-cycles go both ways where one way leads astray": (
         "../solve/conjugate_gradients.cpp", "const bool astray = ", "const bool astray = false && ",
         ["stability_membrane_convergence"]),
-    "what is held must not move": ("../model/sleep.hh", "part.held(i) ? 0 : most", "most", BODIES),
-    "what moves wakes what it comes near": ("../model/sleep.hh", "touched = may_touch(it, x);", "(void)x;", BODIES),
+    "what is held must not move": ("../model/sleep.cpp", " && !part.held(b, part, i)", " && i + 1 > 0", BODIES),
+    "what moves wakes what it comes near": ("../model/sleep.cpp", "return !may_touch(it, x);", "return x != nullptr;", BODIES),
     "a step before it touches": ("../model/sleep.cpp", "> sqrt(speed) * dt", "> 0 * speed", BODIES),
     "beds that move wake all": ("../model/sleep.cpp", "!it.is_convex()", "it.callback", BODIES),
     "and callbacks": ("../model/sleep.hh", "return it.callback || ", "return ", BODIES),
-    "time counts from the first step that ends slow": ("../model/sleep.hh", "calm < 0 ? 0 : fmin", "fmin", BODIES),
+    "time counts from the first step that ends slow": ("../model/sleep.cpp", "calm < 0 ? 0 : fmin", "fmin", BODIES),
     "what sleeps has stopped": (
-        "../model/sleep.hh", "part.nodes && sleeps(b, part.number)", "part.nodes && false", BODIES),
+        "../model/sleep.cpp", "if (!sleeps(b, part.number)) return;\n    part", "if (part.nodes > 0) return;\n    part", BODIES),
     "what is posed arrives": (
         "../model/body.hh", "set_number(b, b.position, at, get_number(b, b.target, at));", "(void)b, (void)at;", BODIES),
     "what breaks wakes": ("../model/chain_rope.cpp", "    wake(c, strand, 1);\n", "", BODIES),

@@ -6,7 +6,7 @@ CLOTH_TEAR = "../model/membrane_cloth_tear.cpp"
 
 CLOTH_RULES = {
     "a step of cloth begins where the last one went": (
-        "../model/membrane_cloth_step.cpp", "w.moves[at] * double(number)", "0 * double(number)", ["physics_cloth_size"]),
+        "../model/membrane_cloth_step.cpp", "w.moves[at] * change[i]", "0 * change[i]", ["physics_cloth_size"]),
     "and the preconditioner knows that direction": (
         "../model/membrane_cloth_step.cpp", "            if (recycles[i]) add", "            if (i > 0 && recycles[i]) add",
         ["physics_cloth_size"]),
