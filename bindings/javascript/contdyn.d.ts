@@ -611,9 +611,10 @@ export class Chain extends Handle {
   // it:
   // the inner one, at the clamp, should have twice the bend of the others. A rod whose springs only pull shortens under
   // pressure about as far as the same force across would bend it: hair that is to stand needs push. Any bend
-  // is stable; but where pinned nodes hold a rod bent with more than 1e5 times the energy m g L of the rope, or where
-  // its
-  // nodes lie a hundred of its lengths apart, rounding may let a step end short of its tolerance.
+  // is stable; but where pinned nodes hold a rod bent with more than 1e5 times the energy m g L (m: of nodes all as
+  // light as
+  // its lightest), or where nodes lie a hundred of its lengths apart, rounding may let a step end short of its
+  // tolerance.
 
   /**
    * Rest length of a strand [m], 0 or in [1e-60, 1e60]; default 0: no rope. Per spring: length / springs; nodes stay

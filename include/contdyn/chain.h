@@ -162,8 +162,8 @@ CD_API cd_status cd_chain_get_awake(const cd_chain* chain, size_t* out_nodes);
  * multiplied by the mean of both rest lengths, the first turned by the rest angle. Two pinned nodes at an end clamp it:
  * the inner one, at the clamp, should have twice the bend of the others. A rod whose springs only pull shortens under
  * pressure about as far as the same force across would bend it: hair that is to stand needs cd_chain_set_push. Any bend
- * is stable; but where pinned nodes hold a rod bent with more than 1e5 times the energy m g L of the rope, or where its
- * nodes lie a hundred of its lengths apart, rounding may let a step end short of its tolerance. */
+ * is stable; but where pinned nodes hold a rod bent with more than 1e5 times the energy m g L (m: of nodes all as light as
+ * its lightest), or where nodes lie a hundred of its lengths apart, rounding may let a step end short of its tolerance. */
 
 /* Rest length of a strand [m], 0 or in [1e-60, 1e60]; default 0: no rope. Per spring: length / springs; nodes stay
  * where they are. A rope has the fields CD_TENSION, at first 0, and CD_STRAIN. Its strands are individuals: each has
