@@ -611,9 +611,10 @@ export class Chain extends Handle {
   // it:
   // the inner one, at the clamp, should have twice the bend of the others. A rod whose springs only pull shortens under
   // pressure about as far as the same force across would bend it: hair that is to stand needs push. Any bend
-  // is stable; but where pinned nodes hold a rod bent with more than 1e5 times the energy m g L of the rope, or where
-  // its
-  // nodes lie a hundred of its lengths apart, rounding may let a step end short of its tolerance.
+  // is stable; but where pinned nodes hold a rod bent with more than 1e5 times the energy m g L (m: of nodes all as
+  // light as
+  // its lightest), or where nodes lie a hundred of its lengths apart, rounding may let a step end short of its
+  // tolerance.
 
   /**
    * Rest length of a strand [m], 0 or in [1e-60, 1e60]; default 0: no rope. Per spring: length / springs; nodes stay
@@ -693,10 +694,11 @@ export class Chain extends Handle {
    * Resistance of the air, per length of a rope [N s/m^2], in [0, 1e60], default 0: a piece of length s whose velocity
    * through the air is w, w_t along the rope and w_n across it, is pushed by -s (along w_t + across w_n). Implicit, so
    * that it only takes energy, as seen from the air, at any dt; the rope's direction is the one that it would have
-   * lambda dt after the step began. A node bears half of its two springs' rest lengths; cut springs feel no air. A
-   * round
-   * rope of diameter d has about across = 0.6 density d |w_n|, and `along` some hundredth of that.
-   * Errors: "errorValue"; "errorMemory"; "errorUnsupported" of a chain that is no rope.
+   * lambda dt after the step began. A node bears half of its two springs' rest lengths, at most 1e10 m / dt [N s/m]
+   * where
+   * its mass is m; cut springs feel no air. A round rope of diameter d has some across = 0.6 density d |w_n|, and along
+   * a
+   * hundredth of that. Errors: "errorValue"; "errorMemory"; "errorUnsupported" of a chain that is no rope.
    */
   get air(): { along: number; across: number };
   set air(value: { along?: number; across?: number });

@@ -7,6 +7,10 @@
 namespace cd {
 namespace CD_ISA {
 
+// The most that the air resists a node, over what that resists itself: of what it would move by an impulse without air,
+// this leaves some digits, and more resistance would leave none.
+constexpr double kMostAir = 1e10;
+
 template <int N> typename RopeBundle<N>::Axes RopeBundle<N>::axes(V way) {
     const V x{one(), L{}, L{}}, y{L{}, one(), L{}}; // one of them is 45 degrees off at least
     const V off = cross(way, select(size_of(way.x) - L::splat(0.7), y, x));
@@ -68,9 +72,9 @@ template <int N> Lanes<N> RopeBundle<N>::share_of(size_t i) const {
     const auto half = [&](size_t k) { return k < spring_count ? uncut(springs[k]) * (0.5 * springs[k].length) : L{}; };
     return i > 0 ? half(i) + half(i - 1) : half(i);
 }
-// The air's resistance at node i [kg], of a coefficient of it, and its velocity there.
+// The air's resistance at node i [kg], of a coefficient of it; 0 of what is held. And its velocity there.
 template <int N> Lanes<N> RopeBundle<N>::resistance(size_t i, double coefficient) const {
-    return ((coefficient * stage.dt) * share_of(i)) * lambda;
+    return smaller(((coefficient * stage.dt) * share_of(i)) * lambda, kMostAir * nodes[i].ground);
 }
 template <int N> Vector<N> RopeBundle<N>::wind(size_t i) const {
     if (ropes.wind.data) return load(ropes.wind, i);
@@ -78,8 +82,7 @@ template <int N> Vector<N> RopeBundle<N>::wind(size_t i) const {
 }
 template <int N> void RopeBundle<N>::resist(size_t i, Hung& hung) {
     InAir& n = in_air[i];
-    const L free = opposite(held(i));
-    const L along = free * resistance(i, stage.along), across = free * resistance(i, stage.across);
+    const L along = resistance(i, stage.along), across = resistance(i, stage.across);
     const V u = wind(i);
     const Axes to = axes(n.way);
     resist(along, to.way, to.way, u, hung, n.along, links_of_air(i));

@@ -248,7 +248,7 @@ template <int N> struct RopeBundle {
     bool has_air() const { return stage.has_air(); }
     V way_at(size_t i) const;
     L share_of(size_t i) const;
-    L resistance(size_t i, double coefficient) const;
+    __attribute__((noinline)) L resistance(size_t i, double coefficient) const;
     V wind(size_t i) const;
     V* links_of_air(size_t i) const { return by_link + 3 * i; }
     void resist(size_t i, Hung& hung);

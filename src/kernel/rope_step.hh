@@ -49,9 +49,9 @@ struct RopeParameters {
 
 // A strand is solved from both ends at once: its halves go side by side, each from its end to the middle, and meet
 // there. So one long rope has two lanes, and the bits of a strand do not depend on how many others there are. A rod
-// passes on more than meets easily, and in air what meets would be known to rounding only: these go through one lane,
-// from the end that is held. rope_lane_room: the nodes of a lane, and the one that the spring in the middle leads to.
-inline bool rope_has_halves(bool bends, bool in_air) { return !bends && !in_air; }
+// passes on more than meets easily, and goes through one lane, from the end that is held. rope_lane_room: nodes of a
+// lane, and the one that the spring in the middle leads to.
+inline bool rope_has_halves(bool bends) { return !bends; }
 inline size_t rope_lane_nodes(size_t nodes, bool halved) { return halved ? (nodes + 1) / 2 : nodes; }
 inline size_t rope_lane_room(size_t nodes, bool halved) { return rope_lane_nodes(nodes, halved) + (halved ? 1 : 0); }
 
@@ -68,7 +68,7 @@ struct RopeStage {
     double time_before, time_after; // of the step [s]
 
     bool has_air() const { return along > 0 || across > 0; }
-    bool has_halves() const { return rope_has_halves(bends, has_air()); }
+    bool has_halves() const { return rope_has_halves(bends); }
 };
 
 struct RopeResult {

@@ -117,7 +117,7 @@ size_t rope_coefficients(const Chain& c, size_t colliders) {
 }
 size_t rope_scratch(const Chain& c, const RopeNeeds& needs) {
     size_t numbers;
-    const bool fits = multiply(tasks_of(c) * rope_lane_room(c.nodes, rope_has_halves(needs.bend, needs.air)),
+    const bool fits = multiply(tasks_of(c) * rope_lane_room(c.nodes, rope_has_halves(needs.bend)),
                                scratch_of_node(c, needs), numbers);
     return fits ? numbers : SIZE_MAX; // more than there is
 }

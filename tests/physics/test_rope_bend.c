@@ -308,8 +308,8 @@ static void what_is_posed_may_be_rounded(void** state) {
     ok(cd_chain_enable_field(chain, CD_TARGET));
     ok(cd_chain_write_f32(chain, CD_PIN, 0, 1, 0, 2, pins, 2));
     for (int frame = 0; frame < 200; ++frame) {
-        const double turn = 0.01 * frame, root[2][3] = {{3, 0.6, 0},
-                                                       {3 + 0.25 / LINKS * cos(turn), 0.6 + 0.25 / LINKS * sin(turn), 0}};
+        const double turn = 0.01 * frame,
+                     root[2][3] = {{3, 0.6, 0}, {3 + 0.25 / LINKS * cos(turn), 0.6 + 0.25 / LINKS * sin(turn), 0}};
         ok(cd_chain_write_f64(chain, CD_TARGET, 0, 1, 0, 2, root[0], 6));
         ok(cd_chain_step(chain, 1.0 / 60, 1));
     }
@@ -343,7 +343,8 @@ static void a_cut_takes_the_bend_at_its_ends_with_it(void** state) {
 
 /* Nodes of a rod lie a hundred to ten million of its lengths apart. What rounding makes of its joints' energy then is
  * large beside the work of its springs, and excuses no wrong one: a step that is CD_OK leaves each as long as its tension
- * makes it. */
+ * makes it. One that is shorter by a part s of its rest length may keep a tension of tolerance / s times the mean tension
+ * or the mean force on the nodes (chain.h), which is what takes their momentum m v away in a step, or gives it. */
 static void a_rod_that_was_torn_apart_comes_back_or_says_that_it_does_not(void** state) {
     (void)state;
     enum { LINKS = 38, RODS = 30 };
@@ -362,17 +363,22 @@ static void a_rod_that_was_torn_apart_comes_back_or_says_that_it_does_not(void**
         for (int i = 0; i <= LINKS; ++i) x[i] = far * random_number(&seed);
         ok(cd_chain_write_f64(chain, CD_POSITION, 0, 1, 0, LINKS + 1, x, LINKS + 1));
         for (int step = 0; step < 4; ++step) {
-            double largest = 0;
+            const double dt = dts[k % COUNT(dts)];
+            double largest = 0, v[LINKS + 1], force = 0, pull = 0;
             for (int i = 0; i <= LINKS; ++i) largest = fmax(largest, fabs(x[i]));
-            const cd_status status = cd_chain_step(chain, dts[k % COUNT(dts)], 1);
+            ok(cd_chain_read_f64(chain, CD_VELOCITY, 0, 1, 0, LINKS + 1, v, LINKS + 1));
+            for (int i = 0; i <= LINKS; ++i) force += fabs(v[i]) / (LINKS + 1) / (LINKS + 1) / dt; /* of 1 kg in all */
+            const cd_status status = cd_chain_step(chain, dt, 1);
             assert_true(status == CD_OK || status == CD_ERROR_TOLERANCE);
             ok(cd_chain_read_f64(chain, CD_POSITION, 0, 1, 0, LINKS + 1, x, LINKS + 1));
             ok(cd_chain_read_f64(chain, CD_TENSION, 0, 1, 0, LINKS, tension, LINKS));
             for (int i = 0; i <= LINKS; ++i) largest = fmax(largest, fabs(x[i]));
+            for (int i = 0; i < LINKS; ++i) pull += tension[i] / LINKS;
             for (int i = 0; i < LINKS && status == CD_OK; ++i) {
                 const double over = fabs(x[i + 1] - x[i]) - length / LINKS - tension[i] / per_link;
                 if (tension[i] == 0 && over < 0) continue;
-                assert_true(fabs(over) <= 2 * tolerance * length / LINKS + 1e-13 * largest);
+                const int keeps = over < 0 && -over * tension[i] <= tolerance * length / LINKS * fmax(force, pull);
+                assert_true(keeps || fabs(over) <= 2 * tolerance * length / LINKS + 1e-13 * largest);
                 ++right;
             }
         }

@@ -253,7 +253,7 @@ RULES = CLOTH_RULES | {
     "in which a spring in the middle counts once": (
         "rope_bundle.hh", "is_middle(i) ? here.half() : here", "here", ["physics_rope_ends"]),
     "what goes one way goes from the end that is held": (
-        "rope_bundle.hh", "ends_held(last, j) && !ends_held(0, j)", "false", ["physics_rope_air"]),
+        "rope_bundle.hh", "ends_held(last, j) && !ends_held(0, j)", "false", ["physics_rope_ends"]),
     "which begins from the common motion": ("rope_step.cpp", "    start_together();\n", "", ["stability_ropes"]),
     "with the force that held nodes bring": (
         "rope_step.cpp", "driven = driven + select(held(i), root(dot(n.b, n.b)), L{});", "", ["stability_ropes"]),
@@ -285,6 +285,7 @@ RULES = CLOTH_RULES | {
         "rope_step.cpp", "larger(weight, least_worth)", "weight", ["physics_rope_air"]),
     "air resists along the way of the middle of a step": (
         "rope_air.hh", "V chord = ((stage.dt * lambda) *", "V chord = (L{} *", ["physics_rope_air"]),
+    "and no more than rounding bears": ("rope_air.hh", "double kMostAir = 1e10;", "double kMostAir = 1e60;", ["physics_rope_air"]),
     "the interior point knows the air's forces": (
         "rope_bundle.hh", "if (!has_air()) return own;", "return own;", ["physics_rope_air"]),
     "springs between held nodes are no part of the system": (

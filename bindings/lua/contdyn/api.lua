@@ -1209,9 +1209,9 @@ end
 -- Resistance of the air, per length of a rope [N s/m^2], in [0, 1e60], default 0: a piece of length s whose velocity
 -- through the air is w, w_t along the rope and w_n across it, is pushed by -s (along w_t + across w_n). Implicit, so
 -- that it only takes energy, as seen from the air, at any dt; the rope's direction is the one that it would have lambda
--- dt after the step began. A node bears half of its two springs' rest lengths; cut springs feel no air. A round rope of
--- diameter d has about across = 0.6 density d |w_n|, and `along` some hundredth of that. Errors: CD_ERROR_VALUE;
--- CD_ERROR_MEMORY; CD_ERROR_UNSUPPORTED of a chain that is no rope.
+-- dt after the step began. A node bears half of its two springs' rest lengths, at most 1e10 m / dt [N s/m] where its
+-- mass is m; cut springs feel no air. A round rope of diameter d has some across = 0.6 density d |w_n|, and along a
+-- hundredth of that. Errors: CD_ERROR_VALUE; CD_ERROR_MEMORY; CD_ERROR_UNSUPPORTED of a chain that is no rope.
 function Chain:set_air(along, across)
   local where = "cd_chain_set_air"
   along = number_in(along, where, "along")
@@ -1223,9 +1223,9 @@ end
 -- Resistance of the air, per length of a rope [N s/m^2], in [0, 1e60], default 0: a piece of length s whose velocity
 -- through the air is w, w_t along the rope and w_n across it, is pushed by -s (along w_t + across w_n). Implicit, so
 -- that it only takes energy, as seen from the air, at any dt; the rope's direction is the one that it would have lambda
--- dt after the step began. A node bears half of its two springs' rest lengths; cut springs feel no air. A round rope of
--- diameter d has about across = 0.6 density d |w_n|, and `along` some hundredth of that. Errors: CD_ERROR_VALUE;
--- CD_ERROR_MEMORY; CD_ERROR_UNSUPPORTED of a chain that is no rope.
+-- dt after the step began. A node bears half of its two springs' rest lengths, at most 1e10 m / dt [N s/m] where its
+-- mass is m; cut springs feel no air. A round rope of diameter d has some across = 0.6 density d |w_n|, and along a
+-- hundredth of that. Errors: CD_ERROR_VALUE; CD_ERROR_MEMORY; CD_ERROR_UNSUPPORTED of a chain that is no rope.
 function Chain:get_air()
   local where = "cd_chain_get_air"
   local out_along = double_1()
