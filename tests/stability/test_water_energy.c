@@ -127,13 +127,14 @@ static double bring_all(cd_water* w, cd_water* const* line, double dt, int first
 }
 
 /* The most that the energy is ever above that of the start, and above what deepening has brought since, as parts of it,
- * over many beds; where it is little anyway, the same. */
+ * over many beds; where it is little anyway, the same. And what advected water makes that falls back from smooth beds on
+ * which it rested: a dry face has the speed of the open one beside it, and half a cell at the shore with it, at once. */
 struct gain {
-    double made, own;
+    double made, own, fallen;
 };
 static const double little = 2e-3;
 static struct gain highest(const struct way* way, int line, int smooth, double courant, int steps, uint64_t seeds) {
-    struct gain worst = {0, 0};
+    struct gain worst = {0, 0, 0};
     for (uint64_t seed = 1; seed <= seeds; ++seed) {
         double made = 0, own = 0;
         for (int apart = 0; apart < (made > little && way->momentum == CD_MOMENTUM_LINEAR ? 2 : 1); ++apart) {
@@ -150,22 +151,29 @@ static struct gain highest(const struct way* way, int line, int smooth, double c
             made = apart ? made : most, own = most;
             cd_water_destroy(w), cd_water_destroy(lines[0]), cd_water_destroy(lines[1]);
         }
-        worst.made = fmax(worst.made, made), worst.own = fmax(worst.own, fmin(made, own));
+        double* const to = way->momentum && smooth && seed % 3 == 0 ? &worst.fallen : &worst.made;
+        *to = fmax(*to, made), worst.own = fmax(worst.own, fmin(made, own));
     }
     return worst;
 }
 
 static struct gain highest_of_kinds(const struct way* way, double courant, int steps, uint64_t seeds) {
-    struct gain worst = {0, 0};
+    struct gain worst = {0, 0, 0};
     for (int kind = 0; kind < 4; ++kind) {
         const struct gain g = highest(way, kind / 2, kind % 2, courant, steps, seeds);
         worst.made = fmax(worst.made, g.made), worst.own = fmax(worst.own, g.own);
+        worst.fallen = fmax(worst.fallen, g.fallen);
     }
     print_message("%-17s courant %5g: energy above its start by at most %.1e of it", way->name, courant, worst.made);
     if (way->momentum == CD_MOMENTUM_LINEAR) print_message(", but for deepening by %.1e", worst.own);
+    else print_message(", where it falls back by %.1e", worst.fallen);
     print_message("\n");
     return worst;
 }
+
+/* In short steps water that falls back from rest makes up to 1% of the energy that is then in motion before it loses
+ * more, at any dt: in 2000 scenes at most 1.04e-4 of the energy over the lowest bed, in 8 more than 1e-5. */
+static const double falling = 2e-4;
 
 /* Courant numbers are for a metre of depth. Advected momentum makes none, but a little at shores in very short steps;
  * linear momentum what its equations make. CD_LONG looks at ten times as many beds. */
@@ -177,7 +185,8 @@ static void no_energy_is_made_but_by_linear_momentum_that_deepens(void** state) 
         for (size_t c = 0; c < COUNT(courants); ++c) {
             if (basin_is_explicit(&ways[k]) && courants[c] > 0.3) continue;
             const struct gain worst = highest_of_kinds(&ways[k], courants[c], courants[c] < 0.1 ? 1000 : 101, seeds);
-            if (ways[k].momentum) assert_true(worst.made <= (courants[c] < 0.1 ? 5e-3 : 1e-5));
+            const double most = courants[c] < 0.1 ? 5e-3 : 1e-5, fallen = courants[c] > 1 ? 1e-5 : fmax(most, falling);
+            if (ways[k].momentum) assert_true(worst.made <= most && worst.fallen <= fallen);
             else assert_true(worst.made <= 0.1 && worst.own <= 2 * little);
         }
 }
@@ -187,34 +196,63 @@ static void long_advected_steps_make_no_energy(void** state) {
     (void)state;
     static const double courants[] = {1.5, 3, 10, 100, 1e4};
     for (size_t c = 0; c < COUNT(courants); ++c)
-        for (int kind = 0; kind < 4; ++kind)
-            assert_true(highest(&ways[ADVECTED], kind / 2, kind % 2, courants[c], 5, 60).made <= 1e-9);
+        for (int kind = 0; kind < 4; ++kind) {
+            const struct gain worst = highest(&ways[ADVECTED], kind / 2, kind % 2, courants[c], 5, 60);
+            assert_true(worst.made <= 1e-9 && worst.fallen <= 1e-9);
+        }
 }
 
-/* Nor where the bed rubs, whether that takes a part of velocities in a step or all: once energy is lost it stays so. Fast
- * water is stepped in parts, which may be shorter than a cell. */
+/* What faces keep that no water crosses [J]. */
+static double kept_at_dry_faces(cd_water* w) {
+    double bed[CELLS], depth[CELLS], velocity[(4 * NX + 1) * (NY + 1)], sum = 0;
+    size_t nx, ny;
+    ok(cd_water_get_shape(w, &nx, &ny, NULL, NULL, NULL));
+    basin_read(w, CD_BED, bed), basin_read(w, CD_DEPTH, depth);
+    for (size_t axis = 0; axis < 2; ++axis) {
+        basin_read(w, axis ? CD_VELOCITY_Y : CD_VELOCITY_X, velocity);
+        for (size_t j = axis; j < ny; ++j)
+            for (size_t i = 1 - axis; i < nx; ++i) {
+                const size_t r = j * nx + i, l = axis ? r - nx : r - 1, face = axis ? r : r + j;
+                const double high = fmax(bed[l] + depth[l], bed[r] + depth[r]) - fmax(bed[l], bed[r]);
+                const double u = fmin(depth[l], depth[r]) > 0 || high > 0 ? 0 : velocity[face];
+                sum += 250 * (depth[l] + depth[r]) * u * u;
+            }
+    }
+    return sum;
+}
+
+/* Nor where the bed rubs, whether that takes a part of velocities in a step or all: once energy is lost it stays so. But
+ * a face beside a cell that a sweep across dries keeps its speed, which counts again as the next sweep wets it. And fast
+ * water is stepped in parts: those in which waves cross less than a cell are short steps. */
 static void long_steps_that_rub_make_no_energy(void** state) {
     (void)state;
     static const double drags[] = {0, 1, 100}, mannings[] = {0, 0.02, 3};
-    static const struct { double courant, most; } rows[] = {{1.5, 1e-12}, {10, 1e-6}, {100, 1e-11}, {1e4, 1e-11}};
-    for (size_t r = 0; r < COUNT(rows); ++r) {
+    static const double courants[] = {1.5, 10, 100, 1e4};
+    for (size_t r = 0; r < COUNT(courants); ++r) {
         double worst = 0;
         for (int n = 0; n < 108; ++n) {
             cd_water* w = lively(&ways[ADVECTED], 1 + (uint64_t)n + 90 * r, n % 2, n / 2 % 3, n / 6 % 2);
             ok(cd_water_set_drag(w, drags[n / 12 % 3]));
             ok(cd_water_set_manning(w, mannings[n / 36]));
+            const uint64_t sweeps = n / 6 % 2 ? 1 : 2; /* a line has one */
             const double start = basin_energy(w);
-            double least = start;
+            double least = start + kept_at_dry_faces(w);
             for (int k = 0; k < 60; ++k) {
-                basin_step(w, rows[r].courant / sqrt(9.81), 1);
-                const double now = basin_energy(w);
-                worst = fmax(worst, (now - least) / start), least = fmin(least, now);
+                uint64_t before, after;
+                ok(cd_water_get_factorizations(w, &before));
+                basin_step(w, courants[r] / sqrt(9.81), 1);
+                ok(cd_water_get_factorizations(w, &after));
+                const double now = basin_energy(w), gain = (now - least) / start;
+                const int is_short = (double)(after - before) > courants[r] + (double)(sweeps - 1);
+                if (is_short) assert_true(gain <= falling);
+                else worst = fmax(worst, gain);
+                least = is_short ? now + kept_at_dry_faces(w) : fmin(least, now + kept_at_dry_faces(w));
             }
             cd_water_destroy(w);
         }
         print_message("courant %5g: water that rubs gains at most %.1e of its energy after it has lost more\n",
-                      rows[r].courant, worst);
-        assert_true(worst <= rows[r].most);
+                      courants[r], worst);
+        assert_true(worst <= 1e-11);
     }
 }
 
