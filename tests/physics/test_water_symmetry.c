@@ -279,7 +279,7 @@ static void a_ring_may_begin_anywhere(void** state) {
                 if (worst > 1e-14)
                     print_message("%-17s %-9s %s steps: apart by %.1e\n", ways[k].name, extra_names[extra],
                                   longer ? "long" : "short", worst);
-                /* what a cell keeps that runs dry, 2^-40 of its water, has 13 digits left, and so have velocities there */
+                /* what a cell keeps that runs dry, 2^-40 of its water, has 13 bits left, and so have velocities there */
                 assert_true(worst <= (extra == WET_RINGS ? 1e-13 : 1e-5));
             }
 }
