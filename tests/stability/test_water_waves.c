@@ -1,4 +1,5 @@
-/* Waves on a pool that nothing feeds, pushes or drains gain no energy but what the header says. */
+/* Waves on a pool that nothing feeds, pushes or drains, and water that falls into it, gain no energy but what the header
+ * says. */
 #include <math.h>
 
 #include "basin.h"
@@ -176,6 +177,78 @@ static void nothing_moves_by_itself_between_levels(void** state) {
     assert_true(gaining <= 4);
 }
 
+/* ---- falls ------------------------------------------------------------------------------------------------------- */
+
+/* A film that springs up there runs down a slope and falls into a lake, which rises to the slope's foot: the lake stays
+ * calm, and not even the film runs much faster than by the fall. */
+static void a_film_does_not_throw_the_lake_that_it_falls_into(void** state) {
+    (void)state;
+    enum { N = 12 };
+    static const int which[] = {ADVECTED, EXPLICIT_ADVECTED};
+    static const double bed[N] = {1, 0.98, 0.96, 0.94, 0.92, 0.9, 0.55, 0.1, 0.1, 0.1, 0.1, 0.1};
+    for (size_t k = 0; k < COUNT(which); ++k)
+        for (int down = 0; down < 2; ++down) {
+            cd_water* w = basin(N, 1, 1, 1, CD_FLOAT64);
+            double fastest = 0, lake = 0, depth[N], b[N], u[N + 1], source[N] = {0};
+            basin_set_way(w, &ways[which[k]]);
+            for (size_t i = 0; i < N; ++i) {
+                const size_t at = down ? N - 1 - i : i;
+                b[at] = bed[i], depth[at] = bed[i] < 0.5 ? 0.445 : bed[i] < 0.6 ? 0 : 1e-6;
+                source[at] = bed[i] < 0.5 ? 1e-4 : i == 0 ? 1e-7 : 0;
+            }
+            ok(cd_water_enable_field(w, CD_SOURCE));
+            basin_write(w, CD_BED, b), basin_write(w, CD_DEPTH, depth), basin_write(w, CD_SOURCE, source);
+            for (int s = 0; s < 4000; ++s) {
+                basin_step(w, 0.03, 1);
+                basin_read(w, CD_VELOCITY_X, u), basin_read(w, CD_DEPTH, depth);
+                for (size_t i = 1; i < N; ++i) {
+                    const size_t place = down ? N - i : i; /* of the face, from the top of the slope */
+                    if (depth[i - 1] > 0 && depth[i] > 0 && depth[i - 1] + depth[i] > 1e-9)
+                        fastest = fmax(fastest, fabs(u[i]));
+                    if (place > 7) lake = fmax(lake, fabs(u[i]));
+                }
+            }
+            print_message("%-17s fastest %.2f m/s, in the lake %.1e m/s\n", ways[which[k]].name, fastest, lake);
+            assert_true(fastest <= 2 * sqrt(2 * 9.81 * 0.9));
+            assert_true(lake <= 0.1);
+            cd_water_destroy(w);
+        }
+}
+
+/* A layer of water on a ledge falls into a lake below it, or a pit of one cell: only what falls is pushed by the fall,
+ * and not the lake's water at the same face. */
+static void water_that_falls_over_a_ledge_makes_no_energy(void** state) {
+    (void)state;
+    static const struct {
+        double drop, film, depth;
+        size_t ledge, lake;
+    } falls[] = {{1, 0.1, 0.5, 4, 6}, {0.3, 0.05, 0.2, 10, 30}, {5, 1, 3, 10, 30}, {0.1, 1e-3, 0.03, 2, 1}};
+    static const double courants[] = {0.01, 0.05, 0.2, 0.6, 1, 2, 6, 30};
+    static const int which[] = {ADVECTED, EXPLICIT_ADVECTED};
+    for (size_t k = 0; k < COUNT(which); ++k)
+        for (size_t f = 0; f < COUNT(falls); ++f)
+            for (size_t c = 0; c < COUNT(courants); ++c)
+                for (int down = 0; down < 2; ++down) {
+                    if (k > 0 && courants[c] > 0.2) continue;
+                    const size_t n = falls[f].ledge + falls[f].lake;
+                    cd_water* w = basin(n, 1, 1, 1, CD_FLOAT64);
+                    basin_set_way(w, &ways[which[k]]);
+                    for (size_t i = 0; i < n; ++i) {
+                        const size_t at = down ? n - 1 - i : i;
+                        basin_set(w, CD_BED, at, 0, i < falls[f].ledge ? falls[f].drop : 0);
+                        basin_set(w, CD_DEPTH, at, 0, i < falls[f].ledge ? falls[f].film : falls[f].depth);
+                    }
+                    const double start = basin_energy(w), dt = courants[c] / sqrt(9.81 * falls[f].depth);
+                    for (int step = 0; step < 500; ++step) {
+                        basin_step(w, dt, 1);
+                        if (!(basin_energy(w) <= (1 + 1e-5) * start))
+                            fail_msg("%s, fall %d, courant %g: %g of the energy after %d steps", ways[which[k]].name,
+                                     (int)f, courants[c], basin_energy(w) / start, step + 1);
+                    }
+                    cd_water_destroy(w);
+                }
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(a_seiche_from_rest_gains_no_energy),
@@ -183,6 +256,8 @@ int main(void) {
         cmocka_unit_test(a_hump_gains_no_energy),
         cmocka_unit_test(waves_round_a_ring_gain_no_energy),
         cmocka_unit_test(nothing_moves_by_itself_between_levels),
+        cmocka_unit_test(a_film_does_not_throw_the_lake_that_it_falls_into),
+        cmocka_unit_test(water_that_falls_over_a_ledge_makes_no_energy),
     };
     return cmocka_run_group_tests_name("water waves", tests, NULL, NULL);
 }

@@ -21,7 +21,7 @@ RULES = CLOTH_RULES | {
         "water/face.hh", "deeper = larger(mean, smaller(fall, over));", "deeper = mean;",
         ["physics_water_dams", "physics_water_sides", "physics_water_thacker", "stability_water_energy"]),
     "water climbs as far as its speed lifts it": (
-        "water/face.hh", "over + kClimbedHeads * head", "L::splat(1e300)", ["physics_water_symmetry"]),
+        "water/face.hh", "over + kClimbedHeads * head", "L::splat(1e300)", ["physics_water_lake"]),
     "what runs dry keeps more than rounding": (
         "water/face.hh", "kGives = 1 - 0x1p-40;", "kGives = 1 - 0x1p-53;", ["physics_water_symmetry"]),
     "a stream carries changes of depth along": ("water/surface.hh", "k = theta * cells,", "k = 0.0 * cells,",
