@@ -51,7 +51,7 @@ template <class T> void step_all(const cd::ChainKernels& kernels, State<T>& stat
         rows[0][i] = 0.01 * double(i), rows[10][i] = i > 0 && i + 1 < kNodes, rows[11][i] = 0.02;
     const cd::NodeGains gains{rows[0], nullptr, rows[11], nullptr};
     const cd::Stage stage{7, 1, 0.1, {1, -2, 3}, 0}, change{7, 1, 0.1, {1, -2, 3}, 1};
-    cd::factor_spring_line(kNodes, line, rows[1], rows[2], [](size_t, double, bool) {});
+    cd::factor_spring_line(kNodes, line, rows[1], rows[2]);
     for (const cd::NodeGains& g : {gains, cd::NodeGains{rows[0], nullptr, nullptr, nullptr}}) {
         const cd::SpringCoefficients springs{rows[1], rows[2], nullptr, g};
         for (const cd::Stage& s : {stage, change})

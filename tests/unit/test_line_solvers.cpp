@@ -99,7 +99,7 @@ using cd::Stage;
 
 void solve_springs(const Line& line, Problem& p, double of_change) {
     double carry[kNodes], pull[kNodes], scratch[kNodes];
-    cd::factor_spring_line(kNodes, line, carry, pull, [](size_t, double, bool) {});
+    cd::factor_spring_line(kNodes, line, carry, pull);
     const cd::SpringCoefficients c{carry, pull, nullptr, {p.gravity, nullptr, nullptr, nullptr}};
     assert_true(cd::spring_sweep({kNodes, 1, 1, {p.x, true}, {p.v, true}, {}, {}}, c, p.stage(of_change), {}, scratch,
                                  false, 0, 1));
@@ -259,7 +259,7 @@ void lanes_do_not_mix(void**) {
     static float x[kNodes][kLines], v[kNodes][kLines], alone[2][kNodes];
     static double scratch[kNodes][kLines], carry[kNodes], pull[kNodes], gravity[kNodes];
     const Line line = random_line(3, 6, false);
-    cd::factor_spring_line(kNodes, line, carry, pull, [](size_t, double, bool) {});
+    cd::factor_spring_line(kNodes, line, carry, pull);
     const cd::SpringCoefficients c{carry, pull, nullptr, {gravity, nullptr, nullptr, nullptr}};
     const Stage stage{3, 1, 0.5, {}, 0};
     unsigned seed = 5;

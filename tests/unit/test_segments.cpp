@@ -74,7 +74,7 @@ void springs_in_segments_solve_what_one_sweep_does(void**) {
     for (unsigned seed = 1; seed < 120; ++seed) {
         scene.make(seed, seed % 4 == 0 ? 30 : seed % 4 == 1 ? 0 : 6, pow(10, 4 * double(seed % 7) - 12), 0);
         const size_t n = scene.nodes;
-        cd::factor_spring_line(n, scene, rows[0], rows[1], [](size_t, double, bool) {});
+        cd::factor_spring_line(n, scene, rows[0], rows[1]);
         const cd::SpringCoefficients whole{rows[0], rows[1], nullptr, scene.gains(0)};
         assert_true(cd::spring_sweep(scene.state(0), whole, scene.stage, {}, y, false, 0, scene.lines));
 
