@@ -142,7 +142,9 @@ RULES = CLOTH_RULES | {
     "what leaves runs no faster than it came": (
         "water/velocity.hh", "larger(-most, smaller(most, u))", "u", ["physics_water_symmetry"]),
     "what rounding takes is handed on": (
-        "water/sweep.cpp", "rest.owed = rest.owed + one.owed;", "(void)one;", ["physics_water_lake"]),
+        "water/sweep.cpp", "            chain[0].owed = chain[0].owed + round_back(depth, end, rest, deepest);\n", "",
+        ["physics_water_lake"]),
+    "where its water ends": ("water/sweep.cpp", "&& !wide) hand_back", "&& false) hand_back", ["physics_water_lake"]),
     "whole steps count before a part of one": ("../model/water_step.cpp", "((double(w.clock.counted) + done) + part)",
         "(double(w.clock.counted) + (done + part))", ["determinism_water_parallel"]),
     "a ring of one line carries velocities across it": (

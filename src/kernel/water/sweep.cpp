@@ -136,7 +136,7 @@ struct Sweep {
         }
         const Panel moved = make_step(line, speeds, depths, panel());
 
-        round_depths(line.after, depths.largest);
+        round_depths(line.after, moved, depths.largest);
         L probe = 0.0 * (line.tally[kIn] + line.tally[kOut]);
         probe = probe + put(p, n, line.after, lines.depth);
         probe = probe + put(p, n + 1, line.speed, lines.velocity, lines.velocity.range().least);
@@ -153,24 +153,43 @@ struct Sweep {
         return !any_positive(all) && !all.any_nan();
     }
 
-    // In chains of cells, since one waits long for the next; what they owe at last goes to the last cells that take it.
-    // Of water as deep in all cells of a line, but for a factor of 2, none is left but for what double rounds.
-    void round_depths(Panel depth, L deepest) const {
+    // In chains of cells, since one waits long for the next. What they owe where water that flows ends goes to the last
+    // cells before that take it, so that nothing of it crosses dry land or a wall.
+    void round_depths(Panel depth, Panel moved, L deepest) const {
         constexpr size_t kChains = 4;
-        constexpr double kNoise = 0x1p-44; // of the deepest cell
         const bool wide = lines.depth.wide();
-        Rounding<kLines> chain[kChains] = {{wide}, {wide}, {wide}, {wide}}, rest{wide};
+        Rounding<kLines> chain[kChains] = {{wide}, {wide}, {wide}, {wide}};
         const size_t n = sweep.cells;
+        const auto hand_back = [&](size_t end, L flows) {
+            Rounding<kLines> rest{wide};
+            for (auto& one : chain) {
+                rest.owed = rest.owed + select(flows, L{}, one.owed);
+                one.owed = select(flows, one.owed, L{});
+            }
+            chain[0].owed = chain[0].owed + round_back(depth, end, rest, deepest);
+        };
+        L flowed{};
         for (size_t i = 0; i < n; i += kChains)
-            for (size_t k = 0; k < kChains && i + k < n; ++k)
+            for (size_t k = 0; k < kChains && i + k < n; ++k) {
+                const L flows = size_of(moved[i + k]);
+                if (!all_positive(flows) && any_positive(select(flows, L{}, flowed)) && !wide) hand_back(i + k, flows);
+                flowed = flows;
                 depth.put(i + k, chain[k](larger(L{}, depth[i + k]))); // NaN hides what is < 0
-        for (const auto& one : chain) rest.owed = rest.owed + one.owed;
-        for (size_t i = n; i-- > 0;) {
+            }
+        hand_back(n, L{});
+    }
+
+    // From cell `end` on to the first. Of water as deep in all cells of a line, but for a factor of 2, none is left but for
+    // what double rounds.
+    [[gnu::noinline]] static L round_back(Panel depth, size_t end, Rounding<kLines> rest, L deepest) {
+        constexpr double kNoise = 0x1p-44; // of the deepest cell
+        for (size_t i = end; i-- > 0;) {
             const L more = size_of(rest.owed) - kNoise * deepest;
             if (!any_positive(more)) break;
             rest.owed = select(more, rest.owed, L{});
             depth.put(i, rest(depth[i]));
         }
+        return rest.owed;
     }
 
     // Velocities of the other axis lie on the faces beside the line.
