@@ -160,23 +160,23 @@ struct Sweep {
         const bool wide = lines.depth.wide();
         Rounding<kLines> chain[kChains] = {{wide}, {wide}, {wide}, {wide}};
         const size_t n = sweep.cells;
-        const auto hand_back = [&](size_t end, L flows) {
+        const auto hand_back = [&](size_t end, L stops) {
             Rounding<kLines> rest{wide};
             for (auto& one : chain) {
-                rest.owed = rest.owed + select(flows, L{}, one.owed);
-                one.owed = select(flows, one.owed, L{});
+                rest.owed = rest.owed + select(stops, one.owed, L{});
+                one.owed = select(stops, L{}, one.owed);
             }
             chain[0].owed = chain[0].owed + round_back(depth, end, rest, deepest);
         };
         L flowed{};
         for (size_t i = 0; i < n; i += kChains)
             for (size_t k = 0; k < kChains && i + k < n; ++k) {
-                const L flows = size_of(moved[i + k]);
-                if (!all_positive(flows) && any_positive(select(flows, L{}, flowed)) && !wide) hand_back(i + k, flows);
+                const L flows = size_of(moved[i + k]), stops = select(flows, L{}, flowed);
+                if (!all_positive(flows) && any_positive(stops) && !wide) hand_back(i + k, stops);
                 flowed = flows;
                 depth.put(i + k, chain[k](larger(L{}, depth[i + k]))); // NaN hides what is < 0
             }
-        hand_back(n, L{});
+        hand_back(n, L::splat(1));
     }
 
     // From cell `end` on to the first. Of water as deep in all cells of a line, but for a factor of 2, none is left but for
@@ -185,8 +185,8 @@ struct Sweep {
         constexpr double kNoise = 0x1p-44; // of the deepest cell
         for (size_t i = end; i-- > 0;) {
             const L more = size_of(rest.owed) - kNoise * deepest;
-            if (!any_positive(more)) break;
             rest.owed = select(more, rest.owed, L{});
+            if (!any_positive(more)) break;
             depth.put(i, rest(depth[i]));
         }
         return rest.owed;
