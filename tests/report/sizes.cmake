@@ -12,7 +12,7 @@ cmake_minimum_required(VERSION 3.20)
 # Name, parts left out, and the budget in bytes: what GCC 12 makes for x86-64. Who needs more gives a reason with the new
 # number; who needs less takes it down.
 set(variants
-  "everything||1472720"
+  "everything||1476816"
   "without chain|CHAIN"
   "without ropes|ROPE"
   "without membrane|MEMBRANE"
@@ -29,7 +29,7 @@ set(variants
   "without float32|FLOAT32"
   "without float64|FLOAT64"
   "without AVX-512|AVX512"
-  "without AVX2 and AVX-512|AVX2+AVX512|805072"
+  "without AVX2 and AVX-512|AVX2+AVX512|809168"
   "chain alone|MEMBRANE+WATER"
   "membrane alone|CHAIN+WATER"
   "water alone|CHAIN+MEMBRANE"
