@@ -7,8 +7,7 @@
 
 /* What is allowed: errors over the largest exact number, now or at the start, after 1 step and after 1000. Where 1000
  * steps err more, `slack` times the error of a chain that computes exactly and only rounds its state to the precision's
- * numbers after each step: no chain that keeps its state in them can be asked for more. slack 0: no such excuse. Nor is
- * less asked for than what the first two steps err by, of velocities that are largest after them. */
+ * numbers after each step: no chain that keeps its state in them can be asked for more. slack 0: no such excuse. */
 struct limits {
     double once, thousand, slack;
 };
