@@ -48,7 +48,7 @@ static void features_follow_the_bytes_and_the_source(void** state) {
     (void)state;
     FOR_KINDS(kept)
     for (size_t from = 0; from < kept->scenes; ++from)
-        for (size_t to = 0; to < kept->scenes; ++to)
+        for (size_t to = is_brief() ? from % 4 : 0; to < kept->scenes; to += is_brief() ? 4 : 1)
             become_one(kept, from, kept_scene(kept, from, CD_FLOAT64, CD_METHOD_IMPLICIT),
                        kept_scene(kept, to, CD_FLOAT64, CD_METHOD_STIFF_SECOND),
                        kept_scene(kept, to, CD_FLOAT64, CD_METHOD_SYMPLECTIC_EULER), 20);
@@ -152,7 +152,7 @@ static void no_damaged_byte_goes_unseen(void** state) {
         struct blob blob = kind_save(kind, source);
         assert_true(blob.size > 500);
         bool said_version = false, said_kind = false;
-        for (size_t i = 0; i < blob.size; i += is_brief() ? 3 : 1) {
+        for (size_t i = 0; i < blob.size; i += is_brief() && i >= 64 ? 11 : 1) {
             for (size_t j = 0; j < COUNT(flips); ++j) {
                 blob.bytes[i] ^= flips[j];
                 if (kind->load(object, blob.bytes, blob.size) != CD_ERROR_FORMAT)
@@ -167,7 +167,7 @@ static void no_damaged_byte_goes_unseen(void** state) {
                          blob.size);
         }
         assert_true(said_version && said_kind); /* refused for what they are, not as damaged */
-        for (size_t i = 0; i + 8 < blob.size; i += is_brief() ? 15 : 3) { /* two bytes exchanged */
+        for (size_t i = 0; i + 8 < blob.size; i += is_brief() ? 33 : 3) { /* two bytes exchanged */
             const unsigned char a = blob.bytes[i], b = blob.bytes[i + 8];
             if (a == b) continue;
             blob.bytes[i] = b, blob.bytes[i + 8] = a;
@@ -189,7 +189,7 @@ static void no_other_length_is_loaded(void** state) {
         any *source = fullest(kept, k), *object = other(kept, k);
         const uint64_t before = kind_hash(kind, object);
         struct blob blob = kind_save(kind, source);
-        for (size_t size = 0; size < blob.size; size += is_brief() ? 3 : 1) {
+        for (size_t size = 0; size < blob.size; size += is_brief() ? 11 : 1) {
             unsigned char* cut = malloc(size ? size : 1); /* its own block, so that a read past it is seen */
             assert_non_null(cut);
             memcpy(cut, blob.bytes, size);

@@ -41,7 +41,7 @@ static uint64_t run_lake(size_t nx, size_t ny, cd_precision precision, cd_kernel
 /* However many lines are left over when those that go side by side are done. */
 static void any_number_of_lines_gives_the_same_bits(void** state) {
     (void)state;
-    for (size_t nx = 1; nx <= 40; ++nx)
+    for (size_t nx = 1; nx <= 40; nx += is_brief() ? 3 : 1)
         for (size_t ny = 1; ny <= 40; ny += nx % 3 + 1)
             for (cd_precision precision = CD_FLOAT32; precision <= CD_FLOAT64; ++precision) {
                 const uint64_t plain = run_lake(nx, ny, precision, CD_KERNELS_PLAIN);

@@ -175,7 +175,7 @@ static void a_refused_allocation_changes_nothing_and_the_object_still_works(void
             if (!made.text) break;
             if (made.never) must(asked == 0);
             for (int for_good = 0; for_good <= 1; ++for_good)
-                for (size_t request = 1; request <= asked; request += is_brief() ? 4 : 1, ++refused)
+                for (size_t request = 1; request <= asked; request += is_brief() ? 9 : 1, ++refused)
                     refuse_request(s, scene, number, request, for_good, made.status, after);
         }
     }
@@ -356,7 +356,7 @@ static void steps_reads_writes_save_and_load_never_allocate(void** state) {
 /* Nor do the steps of an object that is large enough for its user's threads to have a part in them. */
 static void steps_on_threads_never_allocate(void** state) {
     const struct subject* s = *state;
-    for (size_t scene = 0; scene < s->scenes; ++scene) {
+    for (size_t scene = 0; scene < s->scenes; scene += is_brief() ? 4 : 1) {
         struct heap heap = {0};
         struct jobs jobs = {0};
         const cd_parallel reversed = jobs_reversed(&jobs);
