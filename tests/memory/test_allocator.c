@@ -356,7 +356,7 @@ static void steps_reads_writes_save_and_load_never_allocate(void** state) {
 /* Nor do the steps of an object that is large enough for its user's threads to have a part in them. */
 static void steps_on_threads_never_allocate(void** state) {
     const struct subject* s = *state;
-    for (size_t scene = 0; scene < s->scenes; scene += is_brief() ? 4 : 1) {
+    for (size_t scene = 0; scene < s->scenes; scene += is_brief() ? 5 : 1) {
         struct heap heap = {0};
         struct jobs jobs = {0};
         const cd_parallel reversed = jobs_reversed(&jobs);
