@@ -1,4 +1,5 @@
-# What is installed, in components, all of them where none is named:
+# What is installed, in components, all of them where none is named; of a part of another project's tree only with
+# CONTDYN_INSTALL=ON:
 #
 #   cmake --install build --component contdyn_runtime    the shared library, under the name that programs load
 #   ...                             contdyn_development  headers, archive, what linkers, pkg-config and CMake look for

@@ -11,6 +11,17 @@ runs static "$out/rope_static"
 ! needs "$out/rope_static" | grep -E 'stdc|gcc' || fail "a C program with the archive needs the C++ run time"
 [ ! -e "$out/contdyn/tests" ] || fail "contdyn builds its tests inside a user's project"
 
+installed() { # installed FOLDER: the files that the user's project installs from there
+    local to=$WORK/subdirectory_installed
+    rm -rf "$to"
+    quietly "$CMAKE" --install "$1" --prefix "$to"
+    [ ! -e "$to" ] || (cd "$to" && find . ! -type d)
+}
+installed "$out" | grep . && fail "contdyn is installed with a user's project that has not asked for it"
+quietly "$CMAKE" -DCONTDYN_INSTALL=ON "$out"
+builds "$out"
+installed "$out" | grep -qx ./include/contdyn/contdyn.hpp || fail "contdyn is not installed with a user's project that asks"
+
 flags() { # flags NAME TYPE ARGUMENT...: the lines that compile kernels
     local out=$WORK/subdirectory_$1
     rm -rf "$out"
