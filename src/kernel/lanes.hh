@@ -143,8 +143,8 @@ template <int N, class D> struct Lanes<N, LaneKind::kVector, D> {
     template <class S> static Lanes load(const S* from) {
         typedef S Stored __attribute__((vector_size(kWidth * sizeof(S))));
         Stored stored;
-        if constexpr (N == 3) return {Values{D(from[0]), D(from[1]), D(from[2]), 0}};
-        memcpy(&stored, from, N * sizeof(S));
+        if constexpr (N == 3) stored = Stored{from[0], from[1], from[2], 0};
+        else memcpy(&stored, from, N * sizeof(S));
         return {converted<Values>(stored)};
     }
     template <class S> void store(S* to) const {
