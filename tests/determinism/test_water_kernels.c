@@ -51,8 +51,36 @@ static void any_number_of_lines_gives_the_same_bits(void** state) {
             }
 }
 
+/* A force that finds no water does nothing, whether its line goes with wet ones or by itself. */
+static void dry_lines_give_the_same_bits_beside_wet_ones(void** state) {
+    (void)state;
+    enum { NX = 13, NY = 7 };
+    static const double friction[] = {0, 0.03};
+    for (size_t f = 0; f < COUNT(friction); ++f)
+        for (cd_momentum momentum = CD_MOMENTUM_LINEAR; momentum <= CD_MOMENTUM_ADVECTED; ++momentum) {
+            uint64_t plain = 0;
+            FOR_RUNNABLE(kernels) {
+                cd_water* const water = pool(NX, NY, CD_FLOAT64);
+                double depth[NX * NY], force[NX * (NY + 1)] = {0};
+                for (size_t i = 0; i < COUNT(depth); ++i) depth[i] = i % NX < 5 ? 0 : 1;
+                force[3 * NX + 2] = -1e300;
+                ok(cd_water_set_kernels(water, kernels));
+                ok(cd_water_set_momentum(water, momentum));
+                ok(cd_water_set_manning(water, friction[f]));
+                ok(cd_water_enable_field(water, CD_FORCE_Y));
+                pool_write(water, CD_DEPTH, depth);
+                pool_write(water, CD_FORCE_Y, force);
+                ok(cd_water_step(water, 1e-20, 3));
+                if (kernels == CD_KERNELS_PLAIN) plain = hash_of(water);
+                if (hash_of(water) != plain) fail_msg("%s differs", cd_kernels_name(kernels));
+                cd_water_destroy(water);
+            }
+        }
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {cmocka_unit_test(all_kernels_give_the_same_bits),
-                                       cmocka_unit_test(any_number_of_lines_gives_the_same_bits)};
+                                       cmocka_unit_test(any_number_of_lines_gives_the_same_bits),
+                                       cmocka_unit_test(dry_lines_give_the_same_bits_beside_wet_ones)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

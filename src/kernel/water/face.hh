@@ -57,7 +57,7 @@ __attribute__((noinline)) inline L manning_drag(L h, L speed, L across, L mannin
         if (!any_positive(across)) break;
         along = select(s, u / s, one), aside = select(s, across / s, L{});
     }
-    return k * s;
+    return select(k, k * s, L{}); // s may be infinite where a force finds no water
 }
 
 // The depth at which a discharge q [m^2/s] runs as fast as its own waves, (q^2 / g)^(1/3).
