@@ -44,31 +44,24 @@ inline void WaterLine::limit(L need) {
         const bool first = !ring && i == 0, last = !ring && i == n;
         base.put(i, first ? select(s, flux[i], inner) : last ? select(s, inner, flux[i]) : inner);
     }
-    const Panel keeps = low; // to its last digit: another difference would leave it a few
     for (size_t i = 0; i < n; ++i) {
         const L more_before = flux[i] - base[i], more = flux[i + 1] - base[i + 1];
-        const L comes_in = positive(base[i]) + positive(-base[i + 1]), out = positive(-more_before) + positive(more);
-        keeps.put(i, smaller(low[i], (1 - kGives) * (depth[i] + comes_in)));
-        const L has = positive((depth[i] + (base[i] - base[i + 1])) - keeps[i]);
-        part.put(i, select(smaller(need, out - has), has / out, one));
-        tally[kLimited] = tally[kLimited] + select(one - part[i], one, none);
+        const L comes_in = positive(base[i]) + positive(-base[i + 1]), keeps = (1 - kGives) * (depth[i] + comes_in);
+        const L out = positive(-more_before) + positive(more);
+        const L has = positive((depth[i] + (base[i] - base[i + 1])) - keeps);
+        part.put(i, select(out - has, has / out, one));
+        tally[kLimited] = tally[kLimited] + select(need, select(out - has, one, none), none);
     }
-    L before = none, comes = none; // the flux at the face before, and what it brings beyond first order
     for (size_t i = 0; i <= n; ++i) {
         const L q = flux[i], more = q - base[i];
         const L from_l = i > 0 || ring ? part[left(i)] : one, from_r = i < n || ring ? part[right(i)] : one;
-        const L fits = select(more, from_l, from_r), passes = fits * more;
-        const L now = select(one - fits, base[i] + passes, q);
+        const L fits = select(more, from_l, from_r);
+        const L now = select(need, select(one - fits, base[i] + fits * more, q), q);
         if (i < n || !ring) tally[kHeldBack] = tally[kHeldBack] + size_of(q - now);
-        if (i > 0) {
-            const L all = larger(none, depth[i - 1] + (before - now)),
-                    kept = keeps[i - 1] + (comes + positive(-passes));
-            after.put(i - 1, select(one - part[i - 1], kept, all));
-        }
-        before = now, comes = positive(passes);
         flux.put(i, now);
         pull.put(i, select(size_of(q), within(now / q, 0, 1), one)); // for set_velocities
     }
+    fill_again();
 }
 
 } // namespace CD_ISA

@@ -91,6 +91,10 @@ struct WaterLine {
         return push ? (L::splat(1) - theta_of(push[i])) * (all * push[i]) : (1 - sweep.theta) * all;
     }
     L late_push(size_t i) const { return push ? theta_of(push[i]) * ((sweep.gravity * courant) * push[i]) : full_push; }
+    // Cells after the fluxes.
+    void fill_again() {
+        for (size_t i = 0; i < n; ++i) after.put(i, larger(L{}, depth[i] + (flux[i] - flux[i + 1])));
+    }
 
     // surface.hh
     Face inner_face(size_t i, L stream);

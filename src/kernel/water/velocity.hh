@@ -66,8 +66,7 @@ inline void WaterLine::balance() {
     const L part = (root(positive(by_start * by_start + 4 * (a * moving))) - by_start) / (2 * a);
     const L scale = select(lifts, within(part, 0, 1), L::splat(1));
     for (size_t i = 0; i <= n; ++i) flux.put(i, scale * flux[i]);
-    for (size_t i = 0; i < n; ++i)
-        after.put(i, select(lifts, larger(none, depth[i] + (flux[i] - flux[i + 1])), after[i]));
+    fill_again();
 }
 
 // A face's velocity w, with no more energy than it may have.
