@@ -112,7 +112,9 @@ struct WaterLine {
     L lift(size_t face) const;
     L more_lift(size_t face) const;
     L gained(size_t face) const;
-    L moving_depth(size_t face, bool is_after) const;
+    L bounded_depth(size_t face) const;
+    L depth_before(size_t face) const;
+    L depth_after(size_t face) const;
     L bounded(size_t i, L w) const;
     void balance();
     void set_velocities();

@@ -16,8 +16,8 @@ constexpr double kPartRun = 0.5;
 constexpr int kMostParts = 64;
 
 // Begins a part of a step from water that is at most so deep. In a long one waves cross more than a cell, and energy is
-// bounded (velocity.hh). Lines are bound as in a long step, too, in which hulls, or what pushes from outside by more than the water
-// beside stands over its bed, may press a cell dry; winds on films do not count.
+// bounded (velocity.hh). Lines are bound as in a long step, too, in which hulls, or what pushes from outside by more than
+// the water beside stands over its bed, may press a cell dry; winds on films do not count.
 void begin_part(WaterLine& line, L deepest) {
     const WaterSweep& sweep = line.sweep;
     L waves = deepest, squeezed{}; // waves: the depth in which they would run as fast without hulls

@@ -4,9 +4,8 @@
 // Water that a face moves by q loses the energy q fall, fall = -g [(1 - theta) rise before + theta rise after] and what
 // pushes it; the sum over the faces is what the potential energy loses, or, with theta > 1/2, less, and what is done to
 // the water from outside. So no energy is made where no face keeps more than V u^2 / 2 + q fall (model.md, 41), V the
-// water at the face. Faces that have less than it takes to lift their water take what is missing from what the others
-// of the line gain, all of them in the same proportion. Short steps make none without the bound, and shocks in them run
-// at their right speed.
+// water at the face, and what some have too little to lift their water all of the line lose in the same proportion.
+// Short steps make little without the bound, and shocks in them run at their right speed.
 #pragma once
 
 #include "kernel/water/line.hh"
@@ -38,12 +37,17 @@ CD_INLINED inline L WaterLine::more_lift(size_t i) const {
 }
 CD_INLINED inline L WaterLine::gained(size_t i) const { return flux[i] * -(lift(i) + sweep.theta * more_lift(i)); }
 
-// The water of an inner face whose motion has energy. Linear water makes more where it deepens (model.md, 40): there it
-// is the same before and after.
-inline L WaterLine::moving_depth(size_t i, bool is_after) const {
+// The water of an inner face in a step, and whose motion has energy before it and after it. Linear water makes energy
+// where it deepens: there it is the same.
+inline L WaterLine::bounded_depth(size_t i) const {
     const L v0 = beside(i).mean_depth(), v1 = beside_after(i).mean_depth();
-    if (sweep.advected()) return is_after ? v1 : v0;
     return larger(0.5 * (v0 + v1), larger(v0, v1) - 0.5 * smaller(v0, v1));
+}
+inline L WaterLine::depth_before(size_t i) const {
+    return sweep.advected() ? beside(i).mean_depth() : bounded_depth(i);
+}
+inline L WaterLine::depth_after(size_t i) const {
+    return sweep.advected() ? beside_after(i).mean_depth() : bounded_depth(i);
 }
 
 // Which lines are bounded. Where closed ones move more than they have the energy to lift, all their fluxes are smaller
@@ -55,7 +59,7 @@ inline void WaterLine::balance() {
     if (!any_positive(bounds) || !sweep.closed()) return;
     L moving = none, by_start = none, by_change = none; // what fluxes lose: by the surface before, by its change
     for (size_t i = first_face(); i < n; ++i) {
-        moving = moving + 0.5 * (moving_depth(i, false) * (velocity[i] * velocity[i]));
+        moving = moving + 0.5 * (depth_before(i) * (velocity[i] * velocity[i]));
         by_start = by_start + flux[i] * lift(i);
         by_change = by_change + flux[i] * more_lift(i);
     }
@@ -71,8 +75,7 @@ inline void WaterLine::balance() {
 
 // A face's velocity w, with no more energy than it may have.
 __attribute__((noinline)) inline L WaterLine::bounded(size_t i, L w) const {
-    const L v0 = beside(i).mean_depth(), v1 = beside_after(i).mean_depth(), u = velocity[i];
-    const L v = larger(0.5 * (v0 + v1), larger(v0, v1) - 0.5 * smaller(v0, v1));
+    const L v = bounded_depth(i), u = velocity[i];
     L counts = bounds;
     if (sweep.advected()) {
         const size_t l = left(i);
@@ -113,8 +116,8 @@ __attribute__((noinline)) inline void WaterLine::follow_water(L moves, Panel dep
     if (ring) out.put(n, out[0]);
 }
 
-// In a long step a line has no more energy after it than before, and than what pushes it and what comes in at its ends
-// bring: what there is too much is taken from all velocities in the same proportion, round a ring of water, if it can,
+// In a long step a line, of linear momentum one that is bounded, has no more energy after it than before, and than what
+// pushes it and what comes in at its ends bring: what there is too much is taken from all velocities in the same proportion, round a ring of water, if it can,
 // from how far they differ from their mean, so that momentum is kept. Faces that follow the water do so at once: lines
 // across may fill the cells beside them, and then they have their velocity.
 inline void WaterLine::keep_energy() {
@@ -130,8 +133,8 @@ inline void WaterLine::keep_energy() {
     L moving = none, most = none; // twice the energy, at first of what comes in at the ends
     if (!ring) most = positive(flux[0]) * (speed[0] * speed[0]) + positive(-flux[n]) * (speed[n] * speed[n]);
     for (size_t i = first_face(); i < n; ++i) {
-        const L v = moving_depth(i, true), u = speed[i], before = velocity[i], p = v * u;
-        most = most + (moving_depth(i, false) * (before * before) + 2 * gained(i));
+        const L v = depth_after(i), u = speed[i], before = velocity[i], p = v * u;
+        most = most + (depth_before(i) * (before * before) + 2 * gained(i));
         moving = moving + p * u;
         mass = mass + v;
         momentum = momentum + p;
