@@ -9,11 +9,11 @@
 {1, 17, 1, {0x4e1012f6bbf60050, 0x1683e8965d6cf97d}}, /* dam */
 {1, 16, 7, {0xbaf01de40d5fd03c, 0x8b4defb7757e4539}}, /* dam */
 {1, 2, 16, {0xaac7a9ed8ad40df8, 0x45ace8e8b5a79d75}}, /* dam */
-{2, 13, 9, {0x527359c5cc2f046d, 0x21b66eb7d2a0a1b7}}, /* flood */
-{2, 1, 17, {0x883b1b847d432f57, 0x1c456aa5476c8be7}}, /* flood */
-{2, 17, 1, {0x64ffc25fe90de383, 0x5331383ca1000fb8}}, /* flood */
-{2, 16, 7, {0xbcfe3d09d3575286, 0x5f437911ac4c75d2}}, /* flood */
-{2, 2, 16, {0x6743e7f320d274b6, 0xa0f8f1f5edc9ee18}}, /* flood */
+{2, 13, 9, {0x972611f6de091a5f, 0xf8df51e633f7dcc6}}, /* flood */
+{2, 1, 17, {0x0f53e7ef143b29af, 0xe20c64b11bb5522c}}, /* flood */
+{2, 17, 1, {0xc54443d18cd80528, 0x3939650259c245c3}}, /* flood */
+{2, 16, 7, {0x9e28c86647612d42, 0xae144298fd58f022}}, /* flood */
+{2, 2, 16, {0x1f0f9fac8f11588d, 0x5c338440495340dc}}, /* flood */
 {3, 13, 9, {0xd5921faa7520f464, 0x1be58c7d65468bac}}, /* weir */
 {3, 1, 17, {0xdabbe37cff3a16a3, 0xd93424a8144be30f}}, /* weir */
 {3, 17, 1, {0x297eac0c96e512e5, 0x0cced654e0648d41}}, /* weir */
@@ -59,18 +59,18 @@
 {11, 17, 1, {0x18a450ee68867fd8, 0xbdb00808862805a9}}, /* everything */
 {11, 16, 7, {0x901cb511f9f2eef5, 0x0248edec456fd75f}}, /* everything */
 {11, 2, 16, {0x3f1d92661385a65c, 0xee444c938dabe57d}}, /* everything */
-{12, 13, 9, {0xe119e91ee78a1c25, 0x9e9dfc2187f9d42e}}, /* everything, long steps */
+{12, 13, 9, {0x960bcc7d157d19f2, 0xb0eb6636b3ad33ca}}, /* everything, long steps */
 {12, 1, 17, {0x1f23410be325dfd8, 0xd0c98b4fb4cdc237}}, /* everything, long steps */
-{12, 17, 1, {0x44971cd3d9c4778d, 0x4c8d715ee92b5116}}, /* everything, long steps */
-{12, 16, 7, {0xee7346651d949c22, 0xc855fec28b2f73fc}}, /* everything, long steps */
-{12, 2, 16, {0x51c334741f7db88a, 0x9b2a37830f87414c}}, /* everything, long steps */
+{12, 17, 1, {0xb6b16dc695889971, 0x0456b0fa653d6e7e}}, /* everything, long steps */
+{12, 16, 7, {0x1e62d30f9ab4d3b4, 0x17d071e4dafbb8aa}}, /* everything, long steps */
+{12, 2, 16, {0x843950e7082df9f4, 0xdcb3a2a8f0a77d96}}, /* everything, long steps */
 {13, 13, 9, {0xb20dfa7c9b435b4a, 0x094a4e80fd022d63}}, /* hulls */
 {13, 1, 17, {0x58c35d8fe1235aa2, 0x67744698a684d5f6}}, /* hulls */
 {13, 17, 1, {0xb6f148e9cb79a01a, 0xb687179be68c8d64}}, /* hulls */
 {13, 16, 7, {0x075cd184278e4d60, 0xae7968057704e2e4}}, /* hulls */
 {13, 2, 16, {0x351c9857c9c6bfed, 0x5d3a53f7be820dc3}}, /* hulls */
-{14, 13, 9, {0xaa142aef11ff9de4, 0x3fbd3e9415ff1a80}}, /* hulls, long steps */
+{14, 13, 9, {0xa572df17bcd91cb4, 0x0d8adb638032537e}}, /* hulls, long steps */
 {14, 1, 17, {0x202dc9d3ac0e643e, 0x718b653c49a03b78}}, /* hulls, long steps */
 {14, 17, 1, {0xa134075280a975b4, 0x87a439e72396f6ff}}, /* hulls, long steps */
-{14, 16, 7, {0x65200cec767db50b, 0xa23df5a724ade714}}, /* hulls, long steps */
+{14, 16, 7, {0x3ebb369a76007d59, 0x2e95ffce1cc96bae}}, /* hulls, long steps */
 {14, 2, 16, {0xdd121b6d05e36acf, 0x7e46b5aeba4c9cc8}}, /* hulls, long steps */

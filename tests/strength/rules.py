@@ -67,6 +67,8 @@ RULES = CLOTH_RULES | {
         "water/momentum.hh", "theta * (v1 - v0) * (", "0.0 * (v1 - v0) * (", ["physics_water_momentum"]),
     "no line gains energy in a long step": (
         "water/momentum.hh", "if (any_long) keep_energy();", "", ["stability_water_waves"]),
+    "whose parts are long": (
+        "water/sweep.cpp", "sweep.advected() ? L::splat(sweep.courant) : line.courant;", "line.courant;", ["stability_water_energy"]),
     "faces that follow the water do so at once": (
         "water/velocity.hh", "const bool dry = !all_positive(least);", "const bool dry = false;", ["stability_water_hulls"]),
     "lines without water are not solved": (

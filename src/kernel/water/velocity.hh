@@ -117,9 +117,9 @@ __attribute__((noinline)) inline void WaterLine::follow_water(L moves, Panel dep
 }
 
 // In a long step a line, of linear momentum one that is bounded, has no more energy after it than before, and than what
-// pushes it and what comes in at its ends bring: what there is too much is taken from all velocities in the same proportion, round a ring of water, if it can,
-// from how far they differ from their mean, so that momentum is kept. Faces that follow the water do so at once: lines
-// across may fill the cells beside them, and then they have their velocity.
+// pushes it and what comes in at its ends bring: what there is too much is taken from all velocities in the same
+// proportion, round a ring of water, if it can, from how far they differ from their mean, so that momentum is kept. Faces
+// that follow the water do so at once: lines across may fill the cells beside them, and then they have their velocity.
 inline void WaterLine::keep_energy() {
     const L none{}, one = L::splat(1);
     L least = one;
