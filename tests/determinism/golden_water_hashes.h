@@ -9,11 +9,11 @@
 {1, 17, 1, {0x4e1012f6bbf60050, 0x1683e8965d6cf97d}}, /* dam */
 {1, 16, 7, {0xbaf01de40d5fd03c, 0x8b4defb7757e4539}}, /* dam */
 {1, 2, 16, {0xaac7a9ed8ad40df8, 0x45ace8e8b5a79d75}}, /* dam */
-{2, 13, 9, {0xe4eba371f8bc6901, 0xe3d073c86ced1f53}}, /* flood */
-{2, 1, 17, {0x883b1b847d432f57, 0x1c456aa5476c8be7}}, /* flood */
-{2, 17, 1, {0xe8b63829874417da, 0xbd9f7e0cb0036f13}}, /* flood */
-{2, 16, 7, {0xa61b2d23ecbfbd2a, 0x449362aa972a9a3e}}, /* flood */
-{2, 2, 16, {0xf45e0b2c2ab60eed, 0x4aa4e7c3e66cfdbf}}, /* flood */
+{2, 13, 9, {0x972611f6de091a5f, 0xf8df51e633f7dcc6}}, /* flood */
+{2, 1, 17, {0x0f53e7ef143b29af, 0xe20c64b11bb5522c}}, /* flood */
+{2, 17, 1, {0xc54443d18cd80528, 0x3939650259c245c3}}, /* flood */
+{2, 16, 7, {0x9e28c86647612d42, 0xae144298fd58f022}}, /* flood */
+{2, 2, 16, {0x1f0f9fac8f11588d, 0x5c338440495340dc}}, /* flood */
 {3, 13, 9, {0xd5921faa7520f464, 0x1be58c7d65468bac}}, /* weir */
 {3, 1, 17, {0xdabbe37cff3a16a3, 0xd93424a8144be30f}}, /* weir */
 {3, 17, 1, {0x297eac0c96e512e5, 0x0cced654e0648d41}}, /* weir */
@@ -49,7 +49,7 @@
 {9, 17, 1, {0x42f16eda1a387ceb, 0x33f3c06b72c03e8c}}, /* masked */
 {9, 16, 7, {0x5288f8bddfd488d4, 0x1ea4b528ac880f49}}, /* masked */
 {9, 2, 16, {0x82af3b3344e80e47, 0x0024e715f5ab37de}}, /* masked */
-{10, 13, 9, {0x685001fa6f17d007, 0x281ca65ef5eb5239}}, /* fed */
+{10, 13, 9, {0x685001fa6f17d007, 0xf83bae19527e766d}}, /* fed */
 {10, 1, 17, {0x64d209cd2953b013, 0x2fc46d06faf17185}}, /* fed */
 {10, 17, 1, {0x81994606cb52f44e, 0x3e98074c93252028}}, /* fed */
 {10, 16, 7, {0xf8af037e343dca2f, 0xc9e50d630623e061}}, /* fed */
@@ -58,19 +58,19 @@
 {11, 1, 17, {0x47cd6cf9ea093b6c, 0xb7d7bf12f19444b8}}, /* everything */
 {11, 17, 1, {0x18a450ee68867fd8, 0xbdb00808862805a9}}, /* everything */
 {11, 16, 7, {0x901cb511f9f2eef5, 0x0248edec456fd75f}}, /* everything */
-{11, 2, 16, {0x3f1d92661385a65c, 0xa5ed435aa48de551}}, /* everything */
-{12, 13, 9, {0x2242226d710ed499, 0xa40883758e8f65eb}}, /* everything, long steps */
+{11, 2, 16, {0x3f1d92661385a65c, 0xee444c938dabe57d}}, /* everything */
+{12, 13, 9, {0x960bcc7d157d19f2, 0xb0eb6636b3ad33ca}}, /* everything, long steps */
 {12, 1, 17, {0x1f23410be325dfd8, 0xd0c98b4fb4cdc237}}, /* everything, long steps */
-{12, 17, 1, {0x44971cd3d9c4778d, 0x4c8d715ee92b5116}}, /* everything, long steps */
-{12, 16, 7, {0xbd68bf4681d9b555, 0x696fe6582ff5f12c}}, /* everything, long steps */
-{12, 2, 16, {0x51c334741f7db88a, 0xfe448664b1f68c6a}}, /* everything, long steps */
-{13, 13, 9, {0x451420c5377e74f4, 0xe129fca219e5ce42}}, /* hulls */
-{13, 1, 17, {0x7342510f84e8d7a8, 0x2232f4081d7be85f}}, /* hulls */
-{13, 17, 1, {0xefff048159c6be46, 0x1654e71272d23836}}, /* hulls */
-{13, 16, 7, {0x66c71943f439090a, 0xd07965e81c9a56ec}}, /* hulls */
-{13, 2, 16, {0x5367965c1d224d20, 0xd752c6ce6eb33c60}}, /* hulls */
-{14, 13, 9, {0xcb9913688ece7b24, 0x35b5cdbc1ee769d3}}, /* hulls, long steps */
-{14, 1, 17, {0xf61dc9356c9620f7, 0x75bf3041c772541d}}, /* hulls, long steps */
-{14, 17, 1, {0xadd68ff21505ee1a, 0x55825ce5e59b7f0f}}, /* hulls, long steps */
-{14, 16, 7, {0x2578c13f4eace114, 0x16f7e76ee5dbf2d9}}, /* hulls, long steps */
-{14, 2, 16, {0x399f43c46358f2d1, 0x240a961b971b0ea8}}, /* hulls, long steps */
+{12, 17, 1, {0xb6b16dc695889971, 0x0456b0fa653d6e7e}}, /* everything, long steps */
+{12, 16, 7, {0x1e62d30f9ab4d3b4, 0x17d071e4dafbb8aa}}, /* everything, long steps */
+{12, 2, 16, {0x843950e7082df9f4, 0xdcb3a2a8f0a77d96}}, /* everything, long steps */
+{13, 13, 9, {0xb20dfa7c9b435b4a, 0x094a4e80fd022d63}}, /* hulls */
+{13, 1, 17, {0x58c35d8fe1235aa2, 0x67744698a684d5f6}}, /* hulls */
+{13, 17, 1, {0xb6f148e9cb79a01a, 0xb687179be68c8d64}}, /* hulls */
+{13, 16, 7, {0x075cd184278e4d60, 0xae7968057704e2e4}}, /* hulls */
+{13, 2, 16, {0x351c9857c9c6bfed, 0x5d3a53f7be820dc3}}, /* hulls */
+{14, 13, 9, {0xa572df17bcd91cb4, 0x0d8adb638032537e}}, /* hulls, long steps */
+{14, 1, 17, {0x202dc9d3ac0e643e, 0x718b653c49a03b78}}, /* hulls, long steps */
+{14, 17, 1, {0xa134075280a975b4, 0x87a439e72396f6ff}}, /* hulls, long steps */
+{14, 16, 7, {0x3ebb369a76007d59, 0x2e95ffce1cc96bae}}, /* hulls, long steps */
+{14, 2, 16, {0xdd121b6d05e36acf, 0x7e46b5aeba4c9cc8}}, /* hulls, long steps */

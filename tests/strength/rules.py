@@ -67,6 +67,8 @@ RULES = CLOTH_RULES | {
         "water/momentum.hh", "theta * (v1 - v0) * (", "0.0 * (v1 - v0) * (", ["physics_water_momentum"]),
     "no line gains energy in a long step": (
         "water/momentum.hh", "if (any_long) keep_energy();", "", ["stability_water_waves"]),
+    "whose parts are long": (
+        "water/sweep.cpp", "sweep.advected() ? L::splat(sweep.courant) : line.courant;", "line.courant;", ["stability_water_energy"]),
     "faces that follow the water do so at once": (
         "water/velocity.hh", "const bool dry = !all_positive(least);", "const bool dry = false;", ["stability_water_hulls"]),
     "lines without water are not solved": (
@@ -78,7 +80,7 @@ RULES = CLOTH_RULES | {
     "closed faces follow nothing": (
         "water/velocity.hh", "out.put(i, open(i) * follows);", "out.put(i, follows);", ["stability_water_hulls"]),
     "water lifts no more than it has energy for": (
-        "water/velocity.hh", "(sweep.advected() ? 0.5 *", "(false ? 0.5 *", ["stability_water_energy"]),
+        "water/velocity.hh", "within(part, 0, 1)", "within(part, 1, 1)", ["stability_water_energy"]),
     "nor takes it from the momentum of a ring": (
         "water/velocity.hh", "ring ? select(gap, none, momentum / mass) : none;", "none;", ["physics_water_momentum"]),
     "friction goes by the speed, not by its part along an axis": (
@@ -97,7 +99,7 @@ RULES = CLOTH_RULES | {
         "water/velocity.hh", "const bool is_given = sweep.end[e].depth > 0;", "const bool is_given = false;",
         ["physics_water_gates"]),
     "slopes of velocities within cells": (
-        "water/momentum.hh", "const L part = smaller(run, positive(L::splat(1) - run)) * even[cell];", "const L part = 0.0 * run;",
+        "water/momentum.hh", "    return part * half_slope(", "    return 0.0 * part * half_slope(",
         ["physics_water_sides"]),
     "no slope reaches behind a wall": (
         "water/momentum.hh", "l = select(open(cell), ", "l = select(L::splat(1), ", ["physics_water_symmetry"]),
@@ -107,7 +109,8 @@ RULES = CLOTH_RULES | {
         "water/momentum.hh", "return positive(smaller(least,", "return least; return positive(smaller(least,",
         ["stability_water_currents", "stability_water_energy", "physics_water_thacker"]),
     "slopes add no more than goes through": (
-        "water/momentum.hh", "smaller(part, size_of(through))", "part", ["physics_water_symmetry"]),
+        "water/momentum.hh", "* even[cell], size_of(through));", "* even[cell], L::splat(1e300));",
+        ["physics_water_symmetry"]),
     "half of the momentum goes with old velocities": (
         "water/momentum.hh", "out.early = 0.5 *", "out.early = 0.0 *", ["physics_water_dams", "physics_water_thacker"]),
     "dry faces take the speed of what comes": (

@@ -28,32 +28,15 @@ inline void WaterLine::limit(L need) {
         const L deep = larger(giver, kFastest * size_of(q));
         run.put(i, select(deep, q / deep, none));
     }
-    const auto passes = [&](size_t i) { return (one + positive(-run[i])) + positive(run[i + 1]); };
-    const auto forward = [&](L y) {
-        for (size_t i = 0; i < n; ++i) {
-            const L inverse = one / passes(i);
-            L own = depth[i]; // and what comes in at a side comes from no cell
-            if (!ring && i == 0) own = own + positive(flux[0]);
-            if (!ring && i + 1 == n) own = own + positive(-flux[n]);
-            y = (own + positive(run[i]) * y) * inverse;
-            low.put(i, y);
-            part.put(i, positive(-run[i + 1]) * inverse);
-        }
-        return y;
-    };
-    L round = none;
-    if (ring) { // from what comes round: linear in it, by the product of all shares
-        const L once = forward(none);
-        L product = one;
-        for (size_t i = 0; i < n; ++i) product = product * (positive(run[i]) / passes(i));
-        round = once / (one - product);
+    Donors donors{low, part, after, ring};
+    for (size_t i = 0; i < n; ++i) {
+        L own = depth[i]; // and what comes in at a side comes from no cell
+        if (!ring && i == 0) own = own + positive(flux[0]);
+        if (!ring && i + 1 == n) own = own + positive(-flux[n]);
+        const L from_l = positive(run[i]), from_r = positive(-run[i + 1]);
+        donors.row(i, own, from_l, from_r, one / ((one + positive(-run[i])) + positive(run[i + 1])));
     }
-    forward(round);
-    L y = ring ? comes_round(n, low, part) : none;
-    for (size_t i = n; i-- > 0;) {
-        y = low[i] + part[i] * y;
-        low.put(i, y);
-    }
+    donors.solve(n, none, [&](size_t i, L d) { low.put(i, d); });
 
     const Panel base = run; // the fluxes of first order; at a side what comes in
     for (size_t i = 0; i <= n; ++i) {
@@ -78,7 +61,7 @@ inline void WaterLine::limit(L need) {
         flux.put(i, now);
         pull.put(i, select(size_of(q), within(now / q, 0, 1), one)); // for set_velocities
     }
-    fill_again(need);
+    fill_again();
 }
 
 } // namespace CD_ISA

@@ -28,11 +28,6 @@ struct Face {
     L flux, left, right;
 };
 
-// What a face's energy is made of, see velocity.hh.
-struct FaceEnergy {
-    L depth, moving, lift, more_lift, gained;
-};
-
 // The passes along a line work on copies of it: of those the compiler knows that no panel lies over them, and their
 // members stay in registers.
 struct WaterLine {
@@ -58,9 +53,7 @@ struct WaterLine {
     Face side[2] = {};      // the faces at the ends; of a ring face 0
     L side_depth[2] = {};   // of what crosses them
     L tally[kTallies] = {}; // by WaterTally
-    // Of the energy bound (velocity.hh): > 0 in lines it counts for; the share of what faces gain that others take;
-    // the share of the square of velocities that is kept.
-    L rough{}, bounds{}, taken{}, keeps{};
+    L rough{}, bounds{};    // > 0 in lines that are not smooth, and for which the energy bound counts (velocity.hh)
     L limits{}; // > 0 in lines that the limiter counts for, of whose fluxes `pull` holds the parts that it has left
 
     size_t first_face() const { return ring ? 0 : 1; }
@@ -98,10 +91,9 @@ struct WaterLine {
         return push ? (L::splat(1) - theta_of(push[i])) * (all * push[i]) : (1 - sweep.theta) * all;
     }
     L late_push(size_t i) const { return push ? theta_of(push[i]) * ((sweep.gravity * courant) * push[i]) : full_push; }
-    // Cells after the fluxes, of lines in which which > 0.
-    void fill_again(L which) {
-        for (size_t i = 0; i < n; ++i)
-            after.put(i, select(which, larger(L{}, depth[i] + (flux[i] - flux[i + 1])), after[i]));
+    // Cells after the fluxes.
+    void fill_again() {
+        for (size_t i = 0; i < n; ++i) after.put(i, larger(L{}, depth[i] + (flux[i] - flux[i + 1])));
     }
 
     // surface.hh
@@ -120,7 +112,9 @@ struct WaterLine {
     L lift(size_t face) const;
     L more_lift(size_t face) const;
     L gained(size_t face) const;
-    FaceEnergy energy_of(size_t face) const;
+    L bounded_depth(size_t face) const;
+    L depth_before(size_t face) const;
+    L depth_after(size_t face) const;
     L bounded(size_t i, L w) const;
     void balance();
     void set_velocities();

@@ -50,8 +50,8 @@ inline L WaterLine::even_depth(size_t cell) const {
 inline L WaterLine::sloped(size_t cell, L through) const {
     const size_t next = faces().behind(cell);
     const L run = courant * positive(select(through, velocity[cell], -velocity[next])); // cells
-    const L part = smaller(run, positive(L::splat(1) - run)) * even[cell];
-    return smaller(part, size_of(through)) * half_slope(through, velocity, faces(), cell, next);
+    const L part = smaller(smaller(run, positive(L::splat(1) - run)) * even[cell], size_of(through));
+    return part * half_slope(through, velocity, faces(), cell, next);
 }
 
 // What velocities of the beginning will be changed by at faces, one after the other along a line.
@@ -115,7 +115,7 @@ template <class Work> void carry_line(size_t m, bool ring, Work work, Panel answ
         L early{}, late{},
             momentum{}; // what goes with old velocities and with new ones, and the momentum that it brings
     } in, out;          // of a carrier, from the one before and to the next
-    L y = ring ? none : here.speed, share = one;
+    Donors donors{answers, pull, around, ring, ring ? none : here.speed};
     for (size_t k = 0; k <= m; ++k) { // what goes to carrier k, after which all is known of the one before
         const FaceVolume next = k < m ? work.at(k) : ring ? first : work.outside(1);
         const L through = work.through(k);
@@ -126,26 +126,11 @@ template <class Work> void carry_line(size_t m, bool ring, Work work, Panel answ
             const L from_l = positive(in.late), from_r = positive(-out.late);
             const L all = (here.volume + (in.early - out.early)) + (from_l + from_r);
             const L inverse = select(all - L::splat(kNoVolume), one / all, none);
-            y = ((here.load + (in.momentum - out.momentum)) + from_l * y) * inverse;
-            answers.put(k - 1, y);
-            pull.put(k - 1, from_r * inverse);
-            if (ring) {
-                share = share * (from_l * inverse);
-                around.put(k - 1, share);
-            }
+            donors.row(k - 1, here.load + (in.momentum - out.momentum), from_l, from_r, inverse);
         }
         in = out, here = next;
     }
-    L behind = here.speed;
-    if (ring) { // what comes round, first one way and then the other: it is linear in itself
-        const L round = select(one - share, y / (one - share), none);
-        for (size_t i = 0; i < m; ++i) answers.put(i, answers[i] + around[i] * round);
-        behind = comes_round(m, answers, pull);
-    }
-    for (size_t i = m; i-- > 0;) {
-        behind = answers[i] + pull[i] * behind;
-        work.set(i, behind);
-    }
+    donors.solve(m, here.speed, [&](size_t i, L u) { work.set(i, u); });
 }
 
 // The faces of a line, which carry what its cells pass on.

@@ -20,13 +20,40 @@ struct Panel {
     void put(size_t i, L a) const { a.store(first + i * kLines); }
 };
 
-// The first of numbers x_i = own_i + pull_i x_{i+1} that go round a ring of m.
-inline L comes_round(size_t m, const Panel& own, const Panel& pull) {
-    L x{}, share = L::splat(1);
-    for (size_t i = m; i-- > 0;) x = own[i] + pull[i] * x, share = share * pull[i];
-    const L rest = L::splat(1) - share;
-    return select(rest, x / rest, L{});
-}
+// Donor cells: all_i x_i = own_i + from_l_i x_{i-1} + from_r_i x_{i+1} on a line or round a ring, where between two
+// neighbours only one takes from the other. One pass each way solves it. At first `before` is x_{-1} of a line, 0 of a
+// ring, and what comes round a ring follows from its sum: it is linear in itself.
+struct Donors {
+    Panel x, pull, around; // around: of a ring
+    bool ring;
+    L before{}, share = L::splat(1);
+
+    void row(size_t i, L own, L from_l, L from_r, L inverse) { // of `all`
+        before = (own + from_l * before) * inverse;
+        x.put(i, before);
+        pull.put(i, from_r * inverse);
+        if (!ring) return;
+        share = share * (from_l * inverse);
+        around.put(i, share);
+    }
+    static L round(L once, L share) {
+        const L rest = L::splat(1) - share;
+        return select(rest, once / rest, L{});
+    }
+    // set(i, x_i), the last of m first; x_m of a line is `behind`.
+    template <class Set> void solve(size_t m, L behind, Set set) const {
+        if (ring) {
+            const L comes = round(before, share);
+            L once{}, all = L::splat(1);
+            for (size_t i = m; i-- > 0;) {
+                x.put(i, x[i] + around[i] * comes);
+                once = x[i] + pull[i] * once, all = all * pull[i];
+            }
+            behind = round(once, all);
+        }
+        for (size_t i = m; i-- > 0;) set(i, behind = x[i] + pull[i] * behind);
+    }
+};
 
 // Takes a panel for lines of so many cells from the memory to work in.
 inline Panel take_panel(double*& work, size_t cells) {

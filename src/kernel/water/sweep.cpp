@@ -16,8 +16,9 @@ constexpr double kPartRun = 0.5;
 constexpr int kMostParts = 64;
 
 // Begins a part of a step from water that is at most so deep. In a long one waves cross more than a cell, and energy is
-// bounded (velocity.hh). Lines are bound as in a long step, too, in which hulls, or what pushes from outside by more than the water
-// beside stands over its bed, may press a cell dry; winds on films do not count.
+// bounded (velocity.hh); of advected momentum all parts of a step are long in whose time they do. Lines are bound as in a
+// long step, too, in which hulls, or what pushes from outside by more than the water beside stands over its bed, may press
+// a cell dry; winds on films do not count.
 void begin_part(WaterLine& line, L deepest) {
     const WaterSweep& sweep = line.sweep;
     L waves = deepest, squeezed{}; // waves: the depth in which they would run as fast without hulls
@@ -34,7 +35,8 @@ void begin_part(WaterLine& line, L deepest) {
     }
     line.courant = sweep.courant * line.share;
     line.full_push = sweep.theta * (sweep.gravity * line.courant);
-    const L square = (sweep.gravity * waves) * (line.courant * line.courant);
+    const L run = sweep.advected() ? L::splat(sweep.courant) : line.courant;
+    const L square = (sweep.gravity * waves) * (run * run);
     line.is_long = sweep.implicit ? larger(square - L::splat(1), squeezed) : L{};
     line.any_long = any_positive(line.is_long);
 }

@@ -4,9 +4,8 @@
 // Water that a face moves by q loses the energy q fall, fall = -g [(1 - theta) rise before + theta rise after] and what
 // pushes it; the sum over the faces is what the potential energy loses, or, with theta > 1/2, less, and what is done to
 // the water from outside. So no energy is made where no face keeps more than V u^2 / 2 + q fall (model.md, 41), V the
-// water at the face. Faces that have less than it takes to lift their water take what is missing from what the others
-// of the line gain, all of them in the same proportion. Short steps make none without the bound, and shocks in them run
-// at their right speed.
+// water at the face, and what some have too little to lift their water all of the line lose in the same proportion.
+// Short steps make little without the bound, and shocks in them run at their right speed.
 #pragma once
 
 #include "kernel/water/line.hh"
@@ -38,62 +37,52 @@ CD_INLINED inline L WaterLine::more_lift(size_t i) const {
 }
 CD_INLINED inline L WaterLine::gained(size_t i) const { return flux[i] * -(lift(i) + sweep.theta * more_lift(i)); }
 
-// Of an inner face: the water that counts there, the energy of its motion, what lifts it, and what the flux gains.
-inline FaceEnergy WaterLine::energy_of(size_t i) const {
-    const L v0 = beside(i).mean_depth(), v1 = beside_after(i).mean_depth(), u = velocity[i];
-    const L v = larger(0.5 * (v0 + v1), larger(v0, v1) - 0.5 * smaller(v0, v1)), lifts = lift(i), more = more_lift(i);
-    return {v, 0.5 * (v * (u * u)), lifts, more, flux[i] * -(lifts + sweep.theta * more)};
+// The water of an inner face in a step, and whose motion has energy before it and after it. Linear water makes energy
+// where it deepens: there it is the same.
+inline L WaterLine::bounded_depth(size_t i) const {
+    const L v0 = beside(i).mean_depth(), v1 = beside_after(i).mean_depth();
+    return larger(0.5 * (v0 + v1), larger(v0, v1) - 0.5 * smaller(v0, v1));
+}
+inline L WaterLine::depth_before(size_t i) const {
+    return sweep.advected() ? beside(i).mean_depth() : bounded_depth(i);
+}
+inline L WaterLine::depth_after(size_t i) const {
+    return sweep.advected() ? beside_after(i).mean_depth() : bounded_depth(i);
 }
 
-// What share of what its faces gain a line needs to lift its water; lines that the bound counts for.
+// Which lines are bounded. Where closed ones move more than they have the energy to lift, all their fluxes are smaller
+// in the same proportion.
 inline void WaterLine::balance() {
-    const L one = L::splat(1), none{};
+    const L none{};
     for (size_t i = 0; i < n; ++i) rough = larger(rough, size_of(after[i] - depth[i]) - kRoughChange * depth[i]);
     bounds = smaller(rough, is_long);
-    if (!any_positive(bounds)) return;
-    // The energy of motion, and what fluxes lose: by the surface before, by its change. Where closed lines move more
-    // than they have the energy to lift, all their fluxes are smaller in the same proportion.
-    L moving = none, by_start = none, by_change = none;
+    if (!any_positive(bounds) || !sweep.closed()) return;
+    L moving = none, by_start = none, by_change = none; // what fluxes lose: by the surface before, by its change
     for (size_t i = first_face(); i < n; ++i) {
-        const FaceEnergy e = energy_of(i);
-        const L u = velocity[i]; // advected water has this energy; linear water makes more where it deepens
-        moving = moving + (sweep.advected() ? 0.5 * (beside(i).mean_depth() * (u * u)) : e.moving);
-        by_start = by_start + flux[i] * e.lift;
-        by_change = by_change + flux[i] * e.more_lift;
+        moving = moving + 0.5 * (depth_before(i) * (velocity[i] * velocity[i]));
+        by_start = by_start + flux[i] * lift(i);
+        by_change = by_change + flux[i] * more_lift(i);
     }
     const L needs = by_start + sweep.theta * by_change - moving;
-    const L lifts = sweep.closed() ? select(bounds, smaller(needs, by_change), none) : none;
-    if (any_positive(lifts)) {
-        const L a = sweep.theta * by_change;
-        const L part = (root(positive(by_start * by_start + 4 * (a * moving))) - by_start) / (2 * a);
-        const L scale = select(lifts, within(part, 0, 1), one);
-        for (size_t i = 0; i <= n; ++i) flux.put(i, scale * flux[i]);
-        fill_again(lifts);
-    }
-    L lack = none, gain = none, rest = none;
-    for (size_t i = first_face(); i < n; ++i) {
-        const FaceEnergy e = energy_of(i);
-        const L x = e.moving + e.gained, gained = positive(e.gained);
-        lack = lack + positive(-x);
-        gain = gain + gained;
-        rest = rest + (positive(x) - smaller(positive(x), gained));
-    }
-    lack = (1 / kGives) * lack; // where all energy is used up, rounding leaves none: its root would not be small
-    taken = select(gain, smaller(one, lack / gain), none);
-    keeps = select(rest, positive(one - positive(lack - gain) / rest), one);
+    const L lifts = select(bounds, smaller(needs, by_change), none);
+    if (!any_positive(lifts)) return;
+    const L a = sweep.theta * by_change;
+    const L part = (root(positive(by_start * by_start + 4 * (a * moving))) - by_start) / (2 * a);
+    const L scale = select(lifts, within(part, 0, 1), L::splat(1));
+    for (size_t i = 0; i <= n; ++i) flux.put(i, scale * flux[i]);
+    fill_again();
 }
 
 // A face's velocity w, with no more energy than it may have.
 __attribute__((noinline)) inline L WaterLine::bounded(size_t i, L w) const {
+    const L v = bounded_depth(i), u = velocity[i];
     L counts = bounds;
     if (sweep.advected()) {
         const size_t l = left(i);
         const L change_l = size_of(after[l] - depth[l]) - kRoughFace * depth[l];
         counts = smaller(counts, larger(change_l, size_of(after[i] - depth[i]) - kRoughFace * depth[i]));
     }
-    const FaceEnergy e = energy_of(i);
-    const L x = e.moving + (e.gained - taken * positive(e.gained));
-    const L most = select(e.depth, root(positive((2 * keeps) * (x / e.depth))), L{});
+    const L most = select(v, root(positive(u * u + 2 * (gained(i) / v))), L{});
     return select(counts, larger(-most, smaller(most, w)), w);
 }
 
@@ -127,24 +116,10 @@ __attribute__((noinline)) inline void WaterLine::follow_water(L moves, Panel dep
     if (ring) out.put(n, out[0]);
 }
 
-// Of linear momentum.
-inline void WaterLine::set_velocities() {
-    const bool any_bounded = any_positive(bounds), any_limited = any_positive(limits);
-    const WaterLine here = *this;
-    for (size_t i = first_face(); i < n; ++i) {
-        const Beside c = here.beside_after(i);
-        const bool wet = all_positive(smaller(c.l.depth, c.r.depth));
-        L w = here.speed[i] - here.late_push(i) * (wet ? here.full_rise(i, c) : here.pushing_rise(i, c));
-        if (any_bounded) w = here.bounded(i, w);
-        if (any_limited) w = select(limits, here.pull[i] * w, w);
-        here.speed.put(i, wet ? w : select(c.conducts(), w, L{}));
-    }
-}
-
-// In a long step a line has no more energy after it than before, and than what pushes it and what comes in at its ends
-// bring: what there is too much is taken from all velocities in the same proportion, round a ring of water, if it can,
-// from how far they differ from their mean, so that momentum is kept. Faces that follow the water do so at once: lines
-// across may fill the cells beside them, and then they have their velocity.
+// In a long step a line, of linear momentum one that is bounded, has no more energy after it than before, and than what
+// pushes it and what comes in at its ends bring: what there is too much is taken from all velocities in the same
+// proportion, round a ring of water, if it can, from how far they differ from their mean, so that momentum is kept. Faces
+// that follow the water do so at once: lines across may fill the cells beside them, and then they have their velocity.
 inline void WaterLine::keep_energy() {
     const L none{}, one = L::splat(1);
     L least = one;
@@ -158,20 +133,35 @@ inline void WaterLine::keep_energy() {
     L moving = none, most = none; // twice the energy, at first of what comes in at the ends
     if (!ring) most = positive(flux[0]) * (speed[0] * speed[0]) + positive(-flux[n]) * (speed[n] * speed[n]);
     for (size_t i = first_face(); i < n; ++i) {
-        const L v = beside_after(i).mean_depth(), u = speed[i], before = velocity[i], p = v * u;
-        most = most + (beside(i).mean_depth() * (before * before) + 2 * gained(i));
+        const L v = depth_after(i), u = speed[i], before = velocity[i], p = v * u;
+        most = most + (depth_before(i) * (before * before) + 2 * gained(i));
         moving = moving + p * u;
         mass = mass + v;
         momentum = momentum + p;
         gap = larger(gap, select(size_of(u), none, one));
     }
-    const L excess = moving - most, over = smaller(excess - kNoGain * moving, is_long);
+    const L excess = moving - most, over = smaller(excess - kNoGain * moving, sweep.advected() ? is_long : bounds);
     if (!any_positive(over)) return;
     L mean = ring ? select(gap, none, momentum / mass) : none;
     mean = select((moving - mean * momentum) - excess, mean, none);
     const L differ = moving - mean * momentum,
             keep = select(smaller(over, differ), root(positive(differ - excess) / differ), one);
     for (size_t i = first_face(); i < n; ++i) speed.put(i, select(over, mean + keep * (speed[i] - mean), speed[i]));
+}
+
+// Of linear momentum.
+inline void WaterLine::set_velocities() {
+    const bool any_bounded = any_positive(bounds), any_limited = any_positive(limits);
+    const WaterLine here = *this;
+    for (size_t i = first_face(); i < n; ++i) {
+        const Beside c = here.beside_after(i);
+        const bool wet = all_positive(smaller(c.l.depth, c.r.depth));
+        L w = here.speed[i] - here.late_push(i) * (wet ? here.full_rise(i, c) : here.pushing_rise(i, c));
+        if (any_bounded) w = here.bounded(i, w);
+        if (any_limited) w = select(limits, here.pull[i] * w, w);
+        here.speed.put(i, wet ? w : select(c.conducts(), w, L{}));
+    }
+    if (any_bounded) keep_energy();
 }
 
 // What crosses a side runs as fast as its discharge in its depth, but no faster than it came or than its waves: more
