@@ -209,8 +209,8 @@ static void uneven_links_rest_where_they_are_straight(void** state) {
     cd_chain_destroy(chain);
 }
 
-/* A rod of masses from 1e-3 to 1e3 kg, crumpled, in which every sixth node is held: it is slack and comes to rest bent, by
- * forces of which its lightest nodes feel the rounding most. Each step reaches its tolerance. One that nothing holds
+/* A rod of masses from 1e-3 to 1e3 kg, crumpled, in which every sixth node is held: it is slack and comes to rest bent,
+ * by forces of which its lightest nodes feel the rounding most. Each step reaches its tolerance. One that nothing holds
  * keeps its momentum: each step rounds each node's share of it, by a few of the last digits. */
 static void what_is_held_bent_comes_to_rest(void** state) {
     (void)state;
