@@ -188,31 +188,28 @@ template <int N> auto RopeBundle<N>::bends(size_t i) const -> V {
     return V{} - joint.stiffness * ((L::splat(1 / stage.dt) * per_lambda) * before + r);
 }
 
-// The same, but where a node is held, and all but energy is right, of what changes from the guess on: nodes begin with
-// what is missing in their momentum by the guess, with all that joints give by it. What is passed on else is as large
-// as the velocities by which a bent rod would be straight after the step, and of light nodes that are at rest their
-// rounding would be left. While the guess moves fast, that of what joints give is more; so it is for the momentum of a
-// free rod.
+// The same, but where all but energy is right, of what changes from the guess on: nodes begin with what is missing in
+// their momentum by the guess, with all that joints give by it. What is passed on else is as large as the velocities by
+// which a bent rod would be straight after the step, and of light nodes that are at rest their rounding would be left.
+// While the guess moves fast, the rounding of what joints give is more, and of a free rod's momentum.
 template <int N> void RopeBundle<N>::eliminate_change() {
-    L holds{};
-    for (size_t i = 0; i < ropes.nodes; ++i) holds = larger(holds, held(i));
-    holds = holds * lengths_right, by_change = holds;
-    for (size_t i = 0; i < ropes.nodes; ++i) nodes[i].b = nodes[i].b - holds * nodes[i].w;
+    by_change = lengths_right;
+    for (size_t i = 0; i < ropes.nodes; ++i) nodes[i].b = nodes[i].b - by_change * nodes[i].w;
     for (size_t i = 2; i < ropes.nodes; ++i) {
-        const V p = holds * bends(i), back = joints[i].ratio * (stage.curls ? transposed(joints[i].turn) * p : p);
+        const V p = by_change * bends(i), back = joints[i].ratio * (stage.curls ? transposed(joints[i].turn) * p : p);
         nodes[i].b = nodes[i].b + nodes[i].mobility * p;
         nodes[i - 1].b = nodes[i - 1].b - nodes[i - 1].mobility * (p + back);
         nodes[i - 2].b = nodes[i - 2].b + nodes[i - 2].mobility * back;
     }
     for (size_t i = 0; i < spring_count; ++i) {
         Spring& s = springs[i];
-        const V dw = holds * (nodes[i + 1].w - nodes[i].w);
+        const V dw = by_change * (nodes[i + 1].w - nodes[i].w);
         s.wish = s.wish - dw, s.wished = s.wished - dot(s.along, dw);
     }
     eliminate_rod();
+    for (size_t i = 0; i < ropes.nodes; ++i) nodes[i].next = nodes[i].next + by_change * nodes[i].w;
+    for (size_t i = 2; i < ropes.nodes; ++i) joints[i].impulse = joints[i].impulse + by_change * bends(i);
     by_change = L{};
-    for (size_t i = 0; i < ropes.nodes; ++i) nodes[i].next = nodes[i].next + holds * nodes[i].w;
-    for (size_t i = 2; i < ropes.nodes; ++i) joints[i].impulse = joints[i].impulse + holds * bends(i);
     begin_alone();
 }
 template <int N> void RopeBundle<N>::eliminate_after(size_t iterations) {
