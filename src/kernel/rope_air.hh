@@ -83,7 +83,7 @@ template <int N> Vector<N> RopeBundle<N>::wind(size_t i) const {
 template <int N> void RopeBundle<N>::resist(size_t i, Hung& hung) {
     InAir& n = in_air[i];
     const L along = resistance(i, stage.along), across = resistance(i, stage.across);
-    const V u = wind(i);
+    const V u = wind(i) - by_change * nodes[i].w;
     const Axes to = axes(n.way);
     resist(along, to.way, to.way, u, hung, n.along, links_of_air(i));
     resist(across, to.side, to.side, u, hung, n.side, links_of_air(i) + 1);

@@ -24,9 +24,7 @@ constexpr double kNoDirection = 1e-12;
 constexpr double kAsLong = 0.5;
 constexpr size_t kFirstIterations = 5;
 constexpr double kMostCompliance = 0x1.fffffffffffffp1023; // of what is not cut
-
-// Tensions this small, over the mean force on the nodes, are rounding.
-constexpr double kRounding = 1e-14;
+constexpr double kRounding = 1e-14;                        // of tensions, over the mean force on the nodes
 
 // N lanes: pairs of halves of strands, or whole ones.
 template <int N> struct RopeBundle {
@@ -122,7 +120,7 @@ template <int N> struct RopeBundle {
     const size_t* const strands; // of its lanes; those beyond the last are the last one again
     size_t count;                // of strands
     L lambda, per_lambda, open;  // open: 1 where a strand is still to be solved
-    L iterations{}, reached{}, failed{};
+    L iterations{}, reached{}, failed{}, by_change{}, lengths_right{}; // by_change: see eliminate_change()
     L best = L::splat(INFINITY), best_lambda{}; // the least error that was reached, and its lambda
     L heavy{};                                  // the mass of the strand, if it may touch something
     bool newtonian = true;                      // while Newton's method is at work
@@ -130,8 +128,7 @@ template <int N> struct RopeBundle {
     L apart{};                                  // the error of springs between held nodes
     L least_worth{};                            // what tensions times lengths are at least, as errors count
     BadAnswer bad_answer{};
-    // Of a lane. Where there are halves, the last spring joins both, and where a strand has an odd number of nodes the
-    // second half begins with a node that is none: held and still, on a cut spring.
+    // Of a lane. Of halves the last spring joins both; what lacks a node begins with one on a cut spring, held, still
     const bool halved = stage.has_halves();
     const size_t node_count = rope_lane_nodes(ropes.nodes, halved);
     const size_t spring_count = halved ? node_count : node_count - 1;
@@ -468,11 +465,14 @@ template <int N> struct RopeBundle {
     bool is_rod() const { return CD_WITH_BEND && stage.bends; }
     void begin_joints();
     V carried(const Joint& joint, V before) const;
+    __attribute__((noinline, cold)) V bends(size_t i) const;
     L bent() const;
     void look_at_joints(Seen& seen) const;
     __attribute__((noinline)) void join(size_t i, Hung& hung);
     __attribute__((noinline)) void pull(const Spring& s, Joint& joint, Hung& hung) const;
     __attribute__((noinline)) void eliminate_rod();
+    __attribute__((cold)) void eliminate_change();
+    void eliminate_after(size_t iterations);
 
     // ---- the step, in rope_step.cpp ---------------------------------------------------------------------------------
 

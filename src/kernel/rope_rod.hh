@@ -18,6 +18,8 @@
 namespace cd {
 namespace CD_ISA {
 
+constexpr size_t kByChange = 4; // iterations before a rod that touches nothing may be solved for what changes
+
 // G times what the link before is.
 template <int N> Vector<N> RopeBundle<N>::carried(const Joint& joint, V before) const {
     const V along = joint.ratio * before;
@@ -91,7 +93,7 @@ template <int N> void RopeBundle<N>::join(size_t i, Hung& hung) {
     joint.reach = plus_diagonal(joint.reach, mobility);
     const M yielding = yields(stiffness, mobility, all); // Z
     const M stiff = joint.stiff = stiffness * yielding;
-    const V bent = L::splat(1 / stage.dt) * per_lambda *
+    const V bent = (L::splat(1 / stage.dt) * per_lambda) * (one() - by_change) *
                    (i > 1 ? springs[i - 1].before - carried(joint, springs[i - 2].before) : V{});
     const V wished = joint.wished = stiff * (((hung.y + carried(joint, hung.link_y)) - node.b) - bent);
     hung.link_y = (node.b - hung.y) + (mobility * wished + of_node * wished);
@@ -176,6 +178,44 @@ template <int N> void RopeBundle<N>::eliminate_rod() {
         left.phi = select(held(i), (V{} - left.psi) - bend, left.phi - node.ground * (node.next - node.b));
         left.psi = V{} - joint.ratio * (stage.curls ? transposed(joint.turn) * bend : bend);
     }
+}
+
+// The impulse of joint i by the guess.
+template <int N> auto RopeBundle<N>::bends(size_t i) const -> V {
+    const Joint& joint = joints[i];
+    const V before = springs[i - 1].before - carried(joint, springs[i - 2].before);
+    const V r = (nodes[i].w - nodes[i - 1].w) - carried(joint, nodes[i - 1].w - nodes[i - 2].w);
+    return V{} - joint.stiffness * ((L::splat(1 / stage.dt) * per_lambda) * before + r);
+}
+
+// The same, but where all but energy is right, of what changes from the guess on: nodes begin with what is missing in
+// their momentum by the guess, with all that joints give by it. What is passed on else is as large as the velocities by
+// which a bent rod would be straight after the step, and of light nodes that are at rest their rounding would be left.
+// While the guess moves fast, the rounding of what joints give is more, and of a free rod's momentum.
+template <int N> void RopeBundle<N>::eliminate_change() {
+    by_change = lengths_right;
+    for (size_t i = 0; i < ropes.nodes; ++i) nodes[i].b = nodes[i].b - by_change * nodes[i].w;
+    for (size_t i = 2; i < ropes.nodes; ++i) {
+        const V p = by_change * bends(i), back = joints[i].ratio * (stage.curls ? transposed(joints[i].turn) * p : p);
+        nodes[i].b = nodes[i].b + nodes[i].mobility * p;
+        nodes[i - 1].b = nodes[i - 1].b - nodes[i - 1].mobility * (p + back);
+        nodes[i - 2].b = nodes[i - 2].b + nodes[i - 2].mobility * back;
+    }
+    for (size_t i = 0; i < spring_count; ++i) {
+        Spring& s = springs[i];
+        const V dw = by_change * (nodes[i + 1].w - nodes[i].w);
+        s.wish = s.wish - dw, s.wished = s.wished - dot(s.along, dw);
+    }
+    eliminate_rod();
+    for (size_t i = 0; i < ropes.nodes; ++i) nodes[i].next = nodes[i].next + by_change * nodes[i].w;
+    for (size_t i = 2; i < ropes.nodes; ++i) joints[i].impulse = joints[i].impulse + by_change * bends(i);
+    by_change = L{};
+    begin_alone();
+}
+template <int N> void RopeBundle<N>::eliminate_after(size_t iterations) {
+    if (!is_rod()) eliminate();
+    else if (iterations < kByChange || has_contacts()) eliminate_rod();
+    else eliminate_change();
 }
 
 } // namespace CD_ISA

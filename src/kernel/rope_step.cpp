@@ -95,6 +95,7 @@ template <int N> void RopeBundle<N>::linearize_all(L barrier, bool interior, L w
     const L energy = share(seen.gained, worth + seen.rounding);
     const L error = larger(seen.error, larger(energy, forces)) + seen.probe;
     reached = select(open, error, reached);
+    lengths_right = select(L::splat(stage.tolerance) - larger(seen.error, forces), one(), L{});
     if (has_contacts() && stage.lambda < 1) { // what touches takes lambda = 1
         const L touched = open * select(one() - lambda, touches(), L{});
         failed = failed + touched, open = open - touched;
@@ -130,7 +131,7 @@ template <int N> void RopeBundle<N>::newton(size_t most) {
             added = open * select(reached - before, within(kRise * added, 1, kMostAdded), kFall * added);
         before = reached;
         if (k >= kMostNewton) add_mass(added);
-        is_rod() ? eliminate_rod() : eliminate();
+        eliminate_after(k);
         if (k >= kMostNewton) begin_alone();
         iterations = iterations + open;
         if (tells_loads()) take_pushes(open);
@@ -213,7 +214,7 @@ template <int N> void RopeBundle<N>::interior(size_t most) {
         const L barrier = smaller(wanted, highest); // what rises without a bound takes nodes out of all numbers
         linearize_all(barrier, true, weight, k);
         if (k == most || !any_positive(open)) return;
-        is_rod() ? eliminate_rod() : eliminate();
+        eliminate_after(k);
         iterations = iterations + open;
         went = step_inside(barrier);
     }

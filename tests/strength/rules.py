@@ -350,6 +350,8 @@ RULES = CLOTH_RULES | {
         "rope_rod.hh", "row(hung.c, k) = mobility * (row(yielding, k) + transposed_times(all, row(stiff, k)));",
         "row(hung.c, k) = row(M::diagonal(mobility), k) - (mobility * mobility) * row(stiff, k);",
         ["physics_rope_bend", "stability_ropes"]),
+    "a bent rod at rest is solved for what changes": (
+        "rope_rod.hh", "    else eliminate_change();\n", "    else eliminate_rod();\n", ["physics_rope_bend"]),
     "what joints make counts as energy made": (
         "rope_step.cpp", "    if (is_rod()) look_at_joints(seen);\n", "", ["stability_ropes"]),
     "slack springs have no tension after a step": (
