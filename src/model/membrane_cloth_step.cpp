@@ -29,9 +29,9 @@ namespace {
 constexpr double kContent = 1e-3, kLittle = 0.03;
 constexpr uint64_t kLastOnes = 4;
 // Newton's method goes on, at most so many times more, where it could take less than this part of a direction; and where
-// the number of conjugate gradients is not given, after an iteration that brought more than `kMuch` of what all have, or
-// more energy than all that they added to the velocities moves with: of stiff cloth the first one brings much more, as it
-// ends the stretch to which the old velocities lead.
+// the number of conjugate gradients is not given, after an iteration that brought more than `kMuch` of what all have;
+// of cloth stiffer than kStiff also one that brought more energy than what all added to the velocities moves with:
+// there the first one brings much more, as it ends the stretch to which the old velocities lead.
 constexpr double kWholeStep = 0.9, kMuch = 0.02;
 constexpr uint64_t kMoreIterations = 4;
 // So many of Newton's iterations expect springs to go on by the velocities found so far. From there on Phi stays as it
@@ -41,9 +41,9 @@ constexpr uint64_t kExpectations = 3;
 // this part of the first one.
 constexpr int kMostSearches = 8;
 constexpr double kFlat = 0.1;
-// Curvatures look ahead by half of the soft part of a spring's law, so that what is nearly taut counts; but of cloth that is
-// stiffer than kStiff mass / dt^2 by less in proportion, though not below kNearest of that. It stretches by little of that
-// part, and would seem so much stiffer, if they looked further, that Newton's method comes but slowly nearer.
+// Curvatures look ahead by half of the soft part of a spring's law, so that what is nearly taut counts; but of cloth
+// stiffer than kStiff mass / dt^2 by less in proportion, though not below kNearest of that. It stretches by little of
+// that part, and would seem so much stiffer, if they looked further, that Newton's method comes but slowly nearer.
 constexpr double kStiff = 20, kNearest = 0.1;
 
 struct ClothStep {
@@ -267,7 +267,7 @@ struct ClothStep {
         return least;
     }
 
-    // way . ground way, the ground without contacts; overwrites the image.
+    // way . ground way, the ground without contacts; spends the image.
     [[gnu::noinline]] double resisted(double* const* way) const {
         for (int k = 0; k < 3; ++k) w.each_place([&](size_t at) { w.image[k][at] = w.inertia[at] * way[k][at]; });
         return dot(way, w.image);
@@ -299,8 +299,8 @@ struct ClothStep {
             const double share = search(falls), brings = -share * falls;
             add(share, w.direction, w.w);
             brought += brings;
-            moving += share * share * resisted(w.direction);
-            const bool much = brings > kMuch * brought || brings > 0.5 * moving;
+            if (ahead < 0.5) moving += share * share * resisted(w.direction);
+            const bool much = brings > kMuch * brought || (moving > 0 && brings > 0.5 * moving);
             const bool more = share < kWholeStep || (as_needed() && much);
             if (more && i + 1 == most && most < m.cloth.newton + kMoreIterations) ++most;
         }

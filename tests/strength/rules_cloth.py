@@ -18,7 +18,7 @@ CLOTH_RULES = {
         "../model/membrane_cloth_step.cpp", "lately < kLittle * brought", "false", ["physics_cloth_size"]),
     "and Newton's method goes on where it brings much": (
         "../model/membrane_cloth_step.cpp", "brings > kMuch * brought", "false", ["physics_cloth_size"]),
-    "or more than its changes move with": (CLOTH_STEP, "brings > 0.5 * moving", "false", ["physics_cloth_size"]),
+    "or more than its changes move with": (CLOTH_STEP, "(moving > 0 && brings > 0.5 * moving)", "false", ["physics_cloth_size"]),
     "a search ends where rounding is all that is left": (
         CLOTH_STEP, "return end <= -kFlat * falls ?", "return false ?", ["physics_cloth_motion"]),
     "unless that met a collider": (
