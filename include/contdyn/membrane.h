@@ -207,7 +207,7 @@ CD_API cd_status cd_membrane_get_awake(const cd_membrane* membrane, size_t* out_
  * Energy: at any dt, stiffness, masses and effort, what cd_membrane_get_energy tells rises only by the work of driven
  *    nodes, forces, pressure, wind and moving colliders. Free sheets, and free parts of torn ones, keep their momentum.
  * Stiff sheets, default effort: at 10 mass / dt^2 [N/m] they fall 2% too slowly, and stretch by 2% where two corners
- *    hold them; at 100 10%, at 1000 40% too slowly; beyond, only along with what holds or pushes them: shorten steps.
+ *    hold them; at 100 2%, at 1000 5%, at 1e4 20%; beyond, only along with what holds or pushes them: shorten steps.
  * Cloth needs CD_METHOD_IMPLICIT, lambda in [1/2, 1], no matched edge, no stiffness damping, or cd_membrane_step says
  * CD_ERROR_UNSUPPORTED; cd_membrane_set_solver and _set_tolerance do not matter to it. */
 

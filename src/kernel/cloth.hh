@@ -41,6 +41,7 @@ struct ClothMatrix {
 // What the springs' impulses are added to: rhs - ground w, w the velocities, which what resists crumpling also goes by.
 struct ClothResidual {
     double h, dt; // of impulses, and of motion
+    double ahead; // how far curvatures look ahead of a spring's length, over that of the soft part of its law
     const double *rhs[3], *w[3];
 };
 

@@ -41,7 +41,7 @@ template <int N> CD_INLINED inline Vector<N> times(const double* const* planes, 
 struct Pull {
     const ClothSprings& springs;
     const ClothMatrix& matrix;
-    double h, dt;
+    double h, dt, ahead;
     const double* const* velocity;
     bool curves;
 
@@ -54,8 +54,8 @@ struct Pull {
         const L tension = stiffness * ((1 / (4 * kSlackEnd)) * (soft * soft) * per_length + (taut - soft));
         const L per_now = L::splat(1) / larger(now, 0.5 * length), along = tension * per_now;
         if (curves && keeps) {
-            // Looks ahead by half of the soft part: what is nearly taut will be.
-            const L rising = within((0.5 / kSlackEnd) * (excess * per_length) + L::splat(0.5), 0, 1);
+            // Looks ahead: what is nearly taut will be.
+            const L rising = within((0.5 / kSlackEnd) * (excess * per_length) + L::splat(ahead), 0, 1);
             const L most = (h * dt) * (stiffness * rising), across = smaller((h * dt) * along, most);
             ((h * dt) * compression + across).store(matrix.spring[number].plane[0] + at);
             ((root(most - across) * per_now) * way).store(matrix.spring[number].plane + 1, at);
@@ -131,7 +131,7 @@ void cloth_residual(const Grid& grid, const ClothSprings& springs, const ClothMa
                     const double* const* y, double* const* r, bool curves, double* scratch, size_t first,
                     size_t count) {
     using L = Lanes<kLanes>;
-    sum_springs(grid, Pull{springs, matrix, with.h, with.dt, with.w, curves}, y, scratch, first, count,
+    sum_springs(grid, Pull{springs, matrix, with.h, with.dt, with.ahead, with.w, curves}, y, scratch, first, count,
                 [&](size_t at, V pull) {
                     const V own = times<kLanes>(matrix.ground, at, V::load(with.w, at));
                     (L::load(matrix.moves + at) * ((V::load(with.rhs, at) - own) + pull)).store(r, at);

@@ -29,7 +29,9 @@ namespace {
 constexpr double kContent = 1e-3, kLittle = 0.03;
 constexpr uint64_t kLastOnes = 4;
 // Newton's method goes on, at most so many times more, where it could take less than this part of a direction; and where
-// the number of conjugate gradients is not given, after an iteration that brought more than `kMuch` of what all have.
+// the number of conjugate gradients is not given, after an iteration that brought more than `kMuch` of what all have;
+// of cloth stiffer than kStiff also one that brought more energy than what all added to the velocities moves with:
+// there the first one brings much more, as it ends the stretch to which the old velocities lead.
 constexpr double kWholeStep = 0.9, kMuch = 0.02;
 constexpr uint64_t kMoreIterations = 4;
 // So many of Newton's iterations expect springs to go on by the velocities found so far. From there on Phi stays as it
@@ -39,12 +41,17 @@ constexpr uint64_t kExpectations = 3;
 // this part of the first one.
 constexpr int kMostSearches = 8;
 constexpr double kFlat = 0.1;
+// Curvatures look ahead by half of the soft part of a spring's law, so that what is nearly taut counts; but of cloth
+// stiffer than kStiff mass / dt^2 by less in proportion, though not below kNearest of that. It stretches by little of
+// that part, and would seem so much stiffer, if they looked further, that Newton's method comes but slowly nearer.
+constexpr double kStiff = 20, kNearest = 0.1;
 
 struct ClothStep {
     Membrane& m;
     ClothWork& w;
     double dt, h;
     size_t contacts = 0, iterations = 0;
+    double ahead = 0;      // see ClothResidual
     double left = 0;       // of the gradient that the step starts from
     bool touched = false;  // whether an iteration met a collider
     bool recycles[2] = {}; // whether there is such a direction
@@ -102,7 +109,7 @@ struct ClothStep {
         wrap(w.to);
         wrap(velocity);
         const ClothMatrix matrix = w.matrix(w.own);
-        const ClothResidual with{h, dt, {w.rhs[0], w.rhs[1], w.rhs[2]}, {velocity[0], velocity[1], velocity[2]}};
+        const ClothResidual with{h, dt, ahead, {w.rhs[0], w.rhs[1], w.rhs[2]}, {velocity[0], velocity[1], velocity[2]}};
         rows([&](size_t first, size_t count, double* scratch) {
             cloth().residual(w.grid, w.springs(), matrix, with, w.to, w.residual, curves, scratch, first, count);
             if (w.has_bend()) cloth().bend(w.grid, matrix, -1 / dt, w.to, w.residual, scratch, first, count);
@@ -260,6 +267,12 @@ struct ClothStep {
         return least;
     }
 
+    // way . ground way, the ground without contacts; spends the image.
+    [[gnu::noinline]] double resisted(double* const* way) const {
+        for (int k = 0; k < 3; ++k) w.each_place([&](size_t at) { w.image[k][at] = w.inertia[at] * way[k][at]; });
+        return dot(way, w.image);
+    }
+
     // How much of the direction to go. Where the slope at its end has nearly gone, one secant tells: among slopes that are
     // rounding more of them find none that falls, and the step stays where it is.
     double search(double falls) const {
@@ -271,7 +284,7 @@ struct ClothStep {
 
     void newton() {
         uint64_t most = m.cloth.newton;
-        double start = 0, brought = 0;
+        double start = 0, brought = 0, moving = 0; // moving: twice the energy
         touched = recycles[0] = recycles[1] = false;
         for (uint64_t i = 0;; ++i) {
             touched |= CD_WITH_CONTACT && touches(w, contacts, dt);
@@ -286,7 +299,9 @@ struct ClothStep {
             const double share = search(falls), brings = -share * falls;
             add(share, w.direction, w.w);
             brought += brings;
-            const bool more = share < kWholeStep || (as_needed() && brings > kMuch * brought);
+            if (ahead < 0.5) moving += share * share * resisted(w.direction);
+            const bool much = brings > kMuch * brought || (moving > 0 && brings > 0.5 * moving);
+            const bool more = share < kWholeStep || (as_needed() && much);
             if (more && i + 1 == most && most < m.cloth.newton + kMoreIterations) ++most;
         }
     }
@@ -318,8 +333,7 @@ struct ClothStep {
         double share = 1, most = 1, end = rise(1);
         if (!(end <= 0)) {
             // Phi's second derivative along `way` is at least that of the ground.
-            for (int k = 0; k < 3; ++k) w.each_place([&](size_t at) { w.image[k][at] = w.inertia[at] * way[k][at]; });
-            double least = fmax(0, 1 - end / dot(way, w.image)), falls = least < 1 ? rise(least) : 0;
+            double least = fmax(0, 1 - end / resisted(way)), falls = least < 1 ? rise(least) : 0;
             if (falls > 0 && least > 0) most = least, end = falls, least = 0, falls = rise(0);
             share = falls < 0 ? share_of(rise, least, falls, most, end) : least;
         }
@@ -373,11 +387,22 @@ struct ClothStep {
         });
     }
 
+    void look_ahead() {
+        double mass = 0, stiffest[2] = {};
+        w.each_place([&](size_t at) {
+            mass += w.mass[at];
+            for (Direction d : {kU, kV}) stiffest[d] = fmax(stiffest[d], w.stiffness[d][at]);
+        });
+        const double most = fmax(stiffest[kU] / per_spring(m, kU, 1), stiffest[kV] / per_spring(m, kV, 1));
+        ahead = 0.5 * fmax(kNearest, fmin(1, kStiff * mass / (dt * dt * most)));
+    }
+
     // Positions, velocities, what a node would do by itself, and what resists it.
     void start(double now) {
         const StateNumbers x = state_of(m, m.position), v0 = state_of(m, m.velocity);
         each_number([&](size_t k, size_t at, size_t i) { w.from[k][at] = x[i], w.w[k][at] = v0[i]; });
         if (m.pressure != 0) press(m);
+        look_ahead();
         for (size_t v = 0; v < m.rows; ++v)
             for (size_t u = 0; u < m.columns; ++u) {
                 const size_t at = w.place(u, v);

@@ -141,7 +141,8 @@ static void a_step_takes_as_many_iterations_as_bring_something(void** state) {
         double least, most; /* iterations a step */
     } cases[] = {
         {"soft", SPRINGS, 3000, 100, 0, {-0.3869, -0.3841}, {0.009, 0.009}, 33, 41},
-        {"stiff", SPRINGS, 72000, 2400, 0, {-0.3790, -0.3767}, {0.12, 0.12}, 28, 38},
+        {"stiff", SPRINGS, 72000, 2400, 0, {-0.3790, -0.3767}, {0.03, 0.03}, 40, 70},
+        {"very stiff", SPRINGS, 720000, 24000, 0, {-0.3782, -0.3748}, {0.1, 0.1}, 40, 90},
         {"stiff in shear", SPRINGS, 3000, 3000, 0, {-0.3810, -0.3782}, {0.032, 0.032}, 50, 70},
         {"stiff in bend", SPRINGS, 3000, 100, 300 * unit, {-0.3857, -0.3836}, {0.022, 0.028}, 90, 125},
         {"very stiff in bend", SPRINGS, 3000, 100, 3000 * unit, {-0.3777, -0.3767}, {0.025, 0.03}, 200, 280},

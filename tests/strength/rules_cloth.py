@@ -18,6 +18,7 @@ CLOTH_RULES = {
         "../model/membrane_cloth_step.cpp", "lately < kLittle * brought", "false", ["physics_cloth_size"]),
     "and Newton's method goes on where it brings much": (
         "../model/membrane_cloth_step.cpp", "brings > kMuch * brought", "false", ["physics_cloth_size"]),
+    "or more than its changes move with": (CLOTH_STEP, "(moving > 0 && brings > 0.5 * moving)", "false", ["physics_cloth_size"]),
     "a search ends where rounding is all that is left": (
         CLOTH_STEP, "return end <= -kFlat * falls ?", "return false ?", ["physics_cloth_motion"]),
     "unless that met a collider": (
@@ -71,8 +72,9 @@ CLOTH_RULES = {
     "nor leaves room for it": (
         CLOTH_STEP, "return gained > 0 ? falls +", "return share > 0 ? falls +", ["physics_cloth_motion"]),
     "springs that are nearly taut count": (
-        "cloth_springs.cpp", "(excess * per_length) + L::splat(0.5), 0, 1)", "(excess * per_length), 0, 1)",
+        "cloth_springs.cpp", "(excess * per_length) + L::splat(ahead), 0, 1)", "(excess * per_length), 0, 1)",
         ["physics_cloth_size"]),
+    "but not so much of stiff cloth": (CLOTH_STEP, "kNearest = 0.1;", "kNearest = 1;", ["physics_cloth_size"]),
     "a spring of no length has no direction": (
         "cloth.hh", "kLeastDirection = 1e-6;", "kLeastDirection = 0;", ["stability_cloth"]),
     "a cut takes the shear of its cells with it": (
