@@ -12,7 +12,7 @@ cmake_minimum_required(VERSION 3.20)
 # Name, parts left out, and the budget in bytes: what GCC 12 makes for x86-64. Who needs more gives a reason with the new
 # number; who needs less takes it down.
 set(variants
-  "everything||1476816"
+  "everything||1480912"
   "without chain|CHAIN"
   "without ropes|ROPE"
   "without membrane|MEMBRANE"
