@@ -156,28 +156,35 @@ static void what_a_hull_gives_the_water_is_judged_too(void** state) {
                              2.5693048926134376f,  0.20469868534172453f,
                              0.24375540069374002f, 0,
                              1.3113046664035455f};
-    cd_water* w;
-    ok(cd_water_create(3, 9, 2.4610161216819493e+25, 4.7590447617187364, CD_FLOAT32, NULL, &w));
-    ok(cd_water_set_first(w, 1));
-    ok(cd_water_step(w, 0.0072212395556954263, 19));
-    ok(cd_water_step(w, 1.103008377861721e+27, 1));
-    ok(cd_water_write_f32(w, CD_DEPTH, 0, 0, 3, 9, depth, 27));
-    ok(cd_water_step(w, 2.7200387109441727e-22, 1));
-    ok(cd_water_set_side(w, CD_SIDE_Y_FIRST, CD_BORDER_PERIODIC, 0, 0));
-    ok(cd_water_step(w, 0.00051940634242299386, 3));
-    ok(cd_water_set_hulls(w, 1, 5, 4));
-    ok(cd_water_step(w, 3.5015370244059104e-10, 17));
-    ok(cd_water_set_hull(w, 0, 1521.7050576534295, 39.291291219271713, 31.557785495741484, NULL, 0));
-    ok(cd_water_set_lambda(w, 0.25));
-    ok(cd_water_set_side(w, CD_SIDE_X_LAST, CD_BORDER_OPEN, -0.13728154446905294, 0));
-    ok(cd_water_step(w, 173.37636742735293, 4));
-    ok(cd_water_step(w, 1.1645622989477834e-06, 1));
-    ok(cd_water_step(w, 3.7856260226592164e-26, 3));
-    ok(cd_water_step(w, 0.62716375407628355, 1));
-    ok(cd_water_add_source_rectangle(w, 2, 3, 1, 3, 9.4244593735184653e+25));
-    ok(cd_water_launch_hull(w, 0, 4.31909198678421e+25, 11.762093958652859, -0.17541514244922385, 0.62204846913594602));
-    assert_int_equal(cd_water_step(w, 1.2152804681559582e+26, 1), CD_ERROR_DIVERGED);
-    cd_water_destroy(w);
+    size_t diverged = 0;
+    for (int n = 0; n < 30; ++n) {
+        cd_water* w;
+        ok(cd_water_create(3, 9, 2.4610161216819493e+25, 4.7590447617187364, CD_FLOAT32, NULL, &w));
+        ok(cd_water_set_first(w, 1));
+        ok(cd_water_step(w, 0.0072212395556954263, 19));
+        ok(cd_water_step(w, 1.103008377861721e+27, 1));
+        ok(cd_water_write_f32(w, CD_DEPTH, 0, 0, 3, 9, depth, 27));
+        ok(cd_water_step(w, 2.7200387109441727e-22, 1));
+        ok(cd_water_set_side(w, CD_SIDE_Y_FIRST, CD_BORDER_PERIODIC, 0, 0));
+        ok(cd_water_step(w, 0.00051940634242299386, 3));
+        ok(cd_water_set_hulls(w, 1, 5, 4));
+        ok(cd_water_step(w, 3.5015370244059104e-10, 17));
+        ok(cd_water_set_hull(w, 0, 1521.7050576534295, 39.291291219271713, 31.557785495741484, NULL, 0));
+        ok(cd_water_set_lambda(w, 0.25));
+        ok(cd_water_set_side(w, CD_SIDE_X_LAST, CD_BORDER_OPEN, -0.13728154446905294, 0));
+        ok(cd_water_step(w, 173.37636742735293, 4));
+        ok(cd_water_step(w, 1.1645622989477834e-06, 1));
+        ok(cd_water_step(w, 3.7856260226592164e-26, 3));
+        ok(cd_water_step(w, 0.62716375407628355, 1));
+        ok(cd_water_add_source_rectangle(w, 2, 3, 1, 3, 9.4244593735184653e+25));
+        ok(cd_water_launch_hull(w, 0, 4.31909198678421e+25, 11.762093958652859, -0.17541514244922385,
+                                0.62204846913594602));
+        const cd_status status = cd_water_step(w, 1.2152804681559582e+26 * pow(1.3, n), 1);
+        assert_int_equal(status == CD_OK, kind_is_finite(&kinds[WATER], w));
+        diverged += status != CD_OK;
+        cd_water_destroy(w);
+    }
+    assert_in_range(diverged, 1, 29);
 }
 
 int main(void) {
