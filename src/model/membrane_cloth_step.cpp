@@ -30,7 +30,7 @@ constexpr double kContent = 1e-3, kLittle = 0.03;
 constexpr uint64_t kLastOnes = 4;
 // Newton's method goes on, at most so many times more, where it could take less than this part of a direction; and where
 // the number of conjugate gradients is not given, after an iteration that brought more than `kMuch` of what all have;
-// of cloth stiffer than kStiff also one that brought more energy than what all added to the velocities moves with:
+// of cloth stiffer than kStiffCloth also one that brought more energy than what all added to the velocities moves with:
 // there the first one brings much more, as it ends the stretch to which the old velocities lead.
 constexpr double kWholeStep = 0.9, kMuch = 0.02;
 constexpr uint64_t kMoreIterations = 4;
@@ -42,9 +42,9 @@ constexpr uint64_t kExpectations = 3;
 constexpr int kMostSearches = 8;
 constexpr double kFlat = 0.1;
 // Curvatures look ahead by half of the soft part of a spring's law, so that what is nearly taut counts; but of cloth
-// stiffer than kStiff mass / dt^2 by less in proportion, though not below kNearest of that. It stretches by little of
+// stiffer than kStiffCloth mass / dt^2 by less in proportion, though not below kNearest of that. It stretches by little of
 // that part, and would seem so much stiffer, if they looked further, that Newton's method comes but slowly nearer.
-constexpr double kStiff = 20, kNearest = 0.1;
+constexpr double kStiffCloth = 20, kNearest = 0.1;
 
 struct ClothStep {
     Membrane& m;
@@ -394,7 +394,7 @@ struct ClothStep {
             for (Direction d : {kU, kV}) stiffest[d] = fmax(stiffest[d], w.stiffness[d][at]);
         });
         const double most = fmax(stiffest[kU] / per_spring(m, kU, 1), stiffest[kV] / per_spring(m, kV, 1));
-        ahead = 0.5 * fmax(kNearest, fmin(1, kStiff * mass / (dt * dt * most)));
+        ahead = 0.5 * fmax(kNearest, fmin(1, kStiffCloth * mass / (dt * dt * most)));
     }
 
     // Positions, velocities, what a node would do by itself, and what resists it.
