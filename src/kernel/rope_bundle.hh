@@ -128,7 +128,7 @@ template <int N> struct RopeBundle {
     L apart{};                                  // the error of springs between held nodes
     L least_worth{};                            // what tensions times lengths are at least, as errors count
     BadAnswer bad_answer{};
-    // Of a lane. Of halves the last spring joins both; what lacks a node begins with one on a cut spring, held, still
+    // Of a lane. The last spring joins its halves; where a node lacks, one begins that is held, still, on a cut spring.
     const bool halved = stage.has_halves();
     const size_t node_count = rope_lane_nodes(ropes.nodes, halved);
     const size_t spring_count = halved ? node_count : node_count - 1;

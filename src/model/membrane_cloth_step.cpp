@@ -41,10 +41,10 @@ constexpr uint64_t kExpectations = 3;
 // this part of the first one.
 constexpr int kMostSearches = 8;
 constexpr double kFlat = 0.1;
-// Curvatures look ahead by half of the soft part of a spring's law, so that what is nearly taut counts; but of cloth
+// Curvatures look ahead by kAhead of the soft part of a spring's law, so that what is nearly taut counts; but of cloth
 // stiffer than kStiffCloth mass / dt^2 by less in proportion, though not below kNearest of that. It stretches by little of
 // that part, and would seem so much stiffer, if they looked further, that Newton's method comes but slowly nearer.
-constexpr double kStiffCloth = 20, kNearest = 0.1;
+constexpr double kAhead = 0.5, kStiffCloth = 20, kNearest = 0.1;
 
 struct ClothStep {
     Membrane& m;
@@ -299,7 +299,7 @@ struct ClothStep {
             const double share = search(falls), brings = -share * falls;
             add(share, w.direction, w.w);
             brought += brings;
-            if (ahead < 0.5) moving += share * share * resisted(w.direction);
+            if (ahead < kAhead) moving += share * share * resisted(w.direction);
             const bool much = brings > kMuch * brought || (moving > 0 && brings > 0.5 * moving);
             const bool more = share < kWholeStep || (as_needed() && much);
             if (more && i + 1 == most && most < m.cloth.newton + kMoreIterations) ++most;
@@ -394,7 +394,7 @@ struct ClothStep {
             for (Direction d : {kU, kV}) stiffest[d] = fmax(stiffest[d], w.stiffness[d][at]);
         });
         const double most = fmax(stiffest[kU] / per_spring(m, kU, 1), stiffest[kV] / per_spring(m, kV, 1));
-        ahead = 0.5 * fmax(kNearest, fmin(1, kStiffCloth * mass / (dt * dt * most)));
+        ahead = kAhead * fmax(kNearest, fmin(1, kStiffCloth * mass / (dt * dt * most)));
     }
 
     // Positions, velocities, what a node would do by itself, and what resists it.

@@ -85,6 +85,8 @@ RULES = CLOTH_RULES | {
         "water/velocity.hh", "ring ? select(gap, none, momentum / mass) : none;", "none;", ["physics_water_momentum"]),
     "friction goes by the speed, not by its part along an axis": (
         "water/face.hh", "if (!any_positive(across)) break;", "break;", ["physics_water_forces"]),
+    "and none where there is no water, however fast": (
+        "water/face.hh", "return select(k, k * s, L{});", "return k * s;", ["determinism_water_kernels"]),
     "in directions that are found three times": (
         "water/face.hh", "constexpr int kDirections = 3;", "constexpr int kDirections = 2;", ["physics_water_forces"]),
     "and by what the stream brings": (
